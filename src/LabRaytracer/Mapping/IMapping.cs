@@ -1,0 +1,21 @@
+namespace LabRaytracer;
+
+/// <summary>Turns a point of a surface into texture coordinates (Polish: mapowanie).</summary>
+/// <remarks>
+/// <para>Lab sheet IV, section 1.1: every kind of surface has its own mapping procedure.
+/// Write your own by implementing <see cref="Map"/>; the renderer calls it once per hit, from several threads at once.</para>
+/// <para>The built-in mappings also know how to map many points at a time; both ways give the same bits.</para>
+/// </remarks>
+public interface IMapping
+{
+    /// <summary>Wrap in u for textures that do not choose one. Default: repeat.</summary>
+    TextureWrap DefaultWrapU => TextureWrap.Repeat;
+
+    /// <summary>Wrap in v for textures that do not choose one. Default: repeat.</summary>
+    TextureWrap DefaultWrapV => TextureWrap.Repeat;
+
+    /// <summary>Texture coordinates of a point of a surface.</summary>
+    /// <param name="position">The point, in object space.</param>
+    /// <returns>(u, v), v up. Finite for every finite point.</returns>
+    TextureCoordinate Map(in SurfacePosition position);
+}

@@ -1,0 +1,158 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace LabRaytracer;
+
+/// <summary>4 doubles side by side in one 256-bit register.</summary>
+internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float4, Int4>
+{
+    /// <summary>The lanes as the runtime's vector.</summary>
+    public readonly Vector256<double> Value = value;
+
+    public static int Width => 4;
+
+    public static bool IsSingle => false;
+
+    public static Double4 Zero => new(Vector256<double>.Zero);
+
+    public static Double4 True => new(Vector256<double>.AllBitsSet);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator +(Double4 a, Double4 b) => new(a.Value + b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator -(Double4 a, Double4 b) => new(a.Value - b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator *(Double4 a, Double4 b) => new(a.Value * b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator /(Double4 a, Double4 b) => new(a.Value / b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator &(Double4 a, Double4 b) => new(a.Value & b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator |(Double4 a, Double4 b) => new(a.Value | b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator ^(Double4 a, Double4 b) => new(a.Value ^ b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator -(Double4 a) => new(-a.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 operator ~(Double4 a) => new(~a.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Of(double value) => new(Vector256.Create(value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Iota(double start) => new(Vector256.Create(start) + Vector256.Create((double)0, 1, 2, 3));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Abs(Double4 a) => new(Vector256.Abs(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Min(Double4 a, Double4 b) => new(X86Base.IsSupported
+        ? Vector256.MinNative(a.Value, b.Value)
+        : Vector256.ConditionalSelect(Vector256.LessThan(a.Value, b.Value), a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Max(Double4 a, Double4 b) => new(X86Base.IsSupported
+        ? Vector256.MaxNative(a.Value, b.Value)
+        : Vector256.ConditionalSelect(Vector256.GreaterThan(a.Value, b.Value), a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Sqrt(Double4 a) => new(Vector256.Sqrt(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Floor(Double4 a) => new(Vector256.Floor(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Fma(Double4 a, Double4 b, Double4 c) => new(Vector256.FusedMultiplyAdd(a.Value, b.Value, c.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Less(Double4 a, Double4 b) => new(Vector256.LessThan(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 LessOrEqual(Double4 a, Double4 b) => new(Vector256.LessThanOrEqual(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Equal(Double4 a, Double4 b) => new(Vector256.Equals(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Select(Double4 mask, Double4 yes, Double4 no) => new(Vector256.ConditionalSelect(mask.Value, yes.Value, no.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint Bits(Double4 mask) => mask.Value.ExtractMostSignificantBits();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool Any(Double4 mask) => mask.Value.AsInt64() != Vector256<long>.Zero;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool All(Double4 mask) => mask.Value.AsInt64() == Vector256<long>.AllBitsSet;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Get(Double4 a, int lane) => a.Value.GetElement(lane);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 ToSingle(Double4 a) => new(Vector128.Narrow(a.Value.GetLower(), a.Value.GetUpper()));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 FromSingle(Float4 a)
+    {
+        (Vector128<double> low, Vector128<double> high) = Vector128.Widen(a.Value);
+        return new(Vector256.Create(low, high));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int4 ToInt32(Double4 a) => new(Avx.IsSupported
+        ? Avx.ConvertToVector128Int32WithTruncation(a.Value)
+        : Vector128.Create((int)a.Value.GetElement(0), (int)a.Value.GetElement(1), (int)a.Value.GetElement(2), (int)a.Value.GetElement(3)));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 FromInt32(Int4 a) => new(Avx.IsSupported
+        ? Avx.ConvertToVector256Double(a.Value)
+        : Vector256.Create((double)a.Value.GetElement(0), a.Value.GetElement(1), a.Value.GetElement(2), a.Value.GetElement(3)));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 MaskToSingle(Double4 mask) => new(Vector128.Narrow(mask.Value.GetLower().AsInt64(), mask.Value.GetUpper().AsInt64()).AsSingle());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 MaskFromSingle(Float4 mask)
+    {
+        (Vector128<long> low, Vector128<long> high) = Vector128.Widen(mask.Value.AsInt32());
+        return new(Vector256.Create(low, high).AsDouble());
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int4 MaskToInt32(Double4 mask) => new(MaskToSingle(mask).Value.AsInt32());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 MaskFromInt32(Int4 mask) => MaskFromSingle(new Float4(mask.Value.AsSingle()));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double4 Gather(Double4* column, Int4 index)
+    {
+        if (Avx2.IsSupported)
+        {
+            return new(Avx2.GatherVector256((double*)column, index.Value, sizeof(double)));
+        }
+
+        Vector256<double> gathered = default;
+        for (int lane = 0; lane < 4; lane++)
+        {
+            Unsafe.Add(ref Unsafe.As<Vector256<double>, double>(ref gathered), lane) = ((double*)column)[index.Value.GetElement(lane)];
+        }
+
+        return new(gathered);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Put(Double4* column, int element, double value) => ((double*)column)[element] = value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe double Take(Double4* column, int element) => ((double*)column)[element];
+}

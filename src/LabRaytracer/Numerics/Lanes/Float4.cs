@@ -1,0 +1,146 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace LabRaytracer;
+
+/// <summary>4 floats side by side in one 128-bit register.</summary>
+internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, Int4>
+{
+    /// <summary>The lanes as the runtime's vector.</summary>
+    public readonly Vector128<float> Value = value;
+
+    public static int Width => 4;
+
+    public static bool IsSingle => true;
+
+    public static Float4 Zero => new(Vector128<float>.Zero);
+
+    public static Float4 True => new(Vector128<float>.AllBitsSet);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator +(Float4 a, Float4 b) => new(a.Value + b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator -(Float4 a, Float4 b) => new(a.Value - b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator *(Float4 a, Float4 b) => new(a.Value * b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator /(Float4 a, Float4 b) => new(a.Value / b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator &(Float4 a, Float4 b) => new(a.Value & b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator |(Float4 a, Float4 b) => new(a.Value | b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator ^(Float4 a, Float4 b) => new(a.Value ^ b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator -(Float4 a) => new(-a.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 operator ~(Float4 a) => new(~a.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Of(double value) => new(Vector128.Create((float)value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Iota(double start) => new(Vector128.Create((float)start) + Vector128.Create((float)0, 1, 2, 3));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Abs(Float4 a) => new(Vector128.Abs(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Min(Float4 a, Float4 b) => new(X86Base.IsSupported
+        ? Vector128.MinNative(a.Value, b.Value)
+        : Vector128.ConditionalSelect(Vector128.LessThan(a.Value, b.Value), a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Max(Float4 a, Float4 b) => new(X86Base.IsSupported
+        ? Vector128.MaxNative(a.Value, b.Value)
+        : Vector128.ConditionalSelect(Vector128.GreaterThan(a.Value, b.Value), a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Sqrt(Float4 a) => new(Vector128.Sqrt(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Floor(Float4 a) => new(Vector128.Floor(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Fma(Float4 a, Float4 b, Float4 c) => new(Vector128.FusedMultiplyAdd(a.Value, b.Value, c.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Less(Float4 a, Float4 b) => new(Vector128.LessThan(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 LessOrEqual(Float4 a, Float4 b) => new(Vector128.LessThanOrEqual(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Equal(Float4 a, Float4 b) => new(Vector128.Equals(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Select(Float4 mask, Float4 yes, Float4 no) => new(Vector128.ConditionalSelect(mask.Value, yes.Value, no.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint Bits(Float4 mask) => mask.Value.ExtractMostSignificantBits();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool Any(Float4 mask) => mask.Value.AsInt32() != Vector128<int>.Zero;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool All(Float4 mask) => mask.Value.AsInt32() == Vector128<int>.AllBitsSet;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Get(Float4 a, int lane) => a.Value.GetElement(lane);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 ToSingle(Float4 a) => a;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 FromSingle(Float4 a) => a;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int4 ToInt32(Float4 a) => new(Vector128.ConvertToInt32Native(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 FromInt32(Int4 a) => new(Vector128.ConvertToSingle(a.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 MaskToSingle(Float4 mask) => mask;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 MaskFromSingle(Float4 mask) => mask;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int4 MaskToInt32(Float4 mask) => new(mask.Value.AsInt32());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 MaskFromInt32(Int4 mask) => new(mask.Value.AsSingle());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float4 Gather(Float4* column, Int4 index)
+    {
+        if (Avx2.IsSupported)
+        {
+            return new(Avx2.GatherVector128((float*)column, index.Value, sizeof(float)));
+        }
+
+        Vector128<float> gathered = default;
+        for (int lane = 0; lane < 4; lane++)
+        {
+            Unsafe.Add(ref Unsafe.As<Vector128<float>, float>(ref gathered), lane) = ((float*)column)[index.Value.GetElement(lane)];
+        }
+
+        return new(gathered);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Put(Float4* column, int element, double value) => ((float*)column)[element] = (float)value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe double Take(Float4* column, int element) => ((float*)column)[element];
+}

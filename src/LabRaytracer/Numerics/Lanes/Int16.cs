@@ -1,0 +1,87 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace LabRaytracer;
+
+/// <summary>16 32-bit integers side by side.</summary>
+internal readonly struct Int16(Vector512<int> value) : IIndexLane<Int16>
+{
+    /// <summary>The lanes.</summary>
+    public readonly Vector512<int> Value = value;
+
+    public static int Width => 16;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator +(Int16 a, Int16 b) => new(a.Value + b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator -(Int16 a, Int16 b) => new(a.Value - b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator *(Int16 a, Int16 b) => new(a.Value * b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator &(Int16 a, Int16 b) => new(a.Value & b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator |(Int16 a, Int16 b) => new(a.Value | b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator ^(Int16 a, Int16 b) => new(a.Value ^ b.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 operator ~(Int16 a) => new(~a.Value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Of(int value) => new(Vector512.Create(value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Iota(int start) => new(Vector512.Create(start) + Vector512.Create(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Min(Int16 a, Int16 b) => new(Vector512.Min(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Max(Int16 a, Int16 b) => new(Vector512.Max(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Less(Int16 a, Int16 b) => new(Vector512.LessThan(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Equal(Int16 a, Int16 b) => new(Vector512.Equals(a.Value, b.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 Select(Int16 mask, Int16 yes, Int16 no) => new(Vector512.ConditionalSelect(mask.Value, yes.Value, no.Value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Int16 ShiftRight(Int16 a, int bits) => new(Vector512.ShiftRightLogical(a.Value, bits));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Get(Int16 a, int lane) => a.Value.GetElement(lane);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Int16 Gather(int* table, Int16 index)
+    {
+        if (Avx2.IsSupported)
+        {
+            return new(Vector512.Create(
+                Avx2.GatherVector256(table, index.Value.GetLower(), sizeof(int)),
+                Avx2.GatherVector256(table, index.Value.GetUpper(), sizeof(int))));
+        }
+
+        Vector512<int> gathered = default;
+        for (int lane = 0; lane < 16; lane++)
+        {
+            Unsafe.Add(ref Unsafe.As<Vector512<int>, int>(ref gathered), lane) = table[index.Value.GetElement(lane)];
+        }
+
+        return new(gathered);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Int16 Load(int* elements) => new(Vector512.Load(elements));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Store(Int16 a, int* elements) => a.Value.Store(elements);
+}
