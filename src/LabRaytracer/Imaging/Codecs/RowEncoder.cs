@@ -1,0 +1,69 @@
+using System.Buffers.Binary;
+
+namespace LabRaytracer;
+
+/// <summary>Rows of light to rows of codes (red, green, blue; 16-bit codes big-endian), as PNG and PPM store them.</summary>
+/// <remarks>Immutable, thread safe.</remarks>
+internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMapping toneMapping)
+{
+    private readonly CodeTable? table = ColorEncoding.EncodeTable(transfer, bitDepth);
+
+    /// <summary>3 or 6.</summary>
+    public int BytesPerPixel { get; } = 3 * bitDepth / 8;
+
+    /// <summary>Encodes one row.</summary>
+    public void Encode(ReadOnlySpan<Intensity> row, Span<byte> target)
+    {
+        if (bitDepth == 16)
+        {
+            Encode16(row, target);
+        }
+        else if (table is { } codes && toneMapping.IsPlainClamp)
+        {
+            EncodeClamped8(row, target, codes);
+        }
+        else
+        {
+            Encode8(row, target);
+        }
+    }
+
+    /// <summary>The common case: the table clamps by itself.</summary>
+    private static void EncodeClamped8(ReadOnlySpan<Intensity> row, Span<byte> target, CodeTable codes)
+    {
+        target = target[..(3 * row.Length)];
+        for (int x = 0, i = 0; x < row.Length; x++, i += 3)
+        {
+            Intensity light = row[x];
+            target[i] = (byte)codes.Encode8(light.R);
+            target[i + 1] = (byte)codes.Encode8(light.G);
+            target[i + 2] = (byte)codes.Encode8(light.B);
+        }
+    }
+
+    private void Encode8(ReadOnlySpan<Intensity> row, Span<byte> target)
+    {
+        for (int x = 0; x < row.Length; x++)
+        {
+            Intensity light = toneMapping.Apply(row[x]);
+            target[3 * x] = Code8(light.R);
+            target[(3 * x) + 1] = Code8(light.G);
+            target[(3 * x) + 2] = Code8(light.B);
+        }
+    }
+
+    private void Encode16(ReadOnlySpan<Intensity> row, Span<byte> target)
+    {
+        for (int x = 0; x < row.Length; x++)
+        {
+            Intensity light = toneMapping.Apply(row[x]);
+            BinaryPrimitives.WriteUInt16BigEndian(target[(6 * x)..], Code16(light.R));
+            BinaryPrimitives.WriteUInt16BigEndian(target[((6 * x) + 2)..], Code16(light.G));
+            BinaryPrimitives.WriteUInt16BigEndian(target[((6 * x) + 4)..], Code16(light.B));
+        }
+    }
+
+    private byte Code8(float light) => (byte)(table?.Encode8(light) ?? ColorEncoding.LinearCode(light, 255));
+
+    private ushort Code16(float light) => (ushort)(table?.Encode16(light) ?? ColorEncoding.LinearCode(light, 65535));
+}
