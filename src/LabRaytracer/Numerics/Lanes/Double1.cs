@@ -127,6 +127,9 @@ internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
     public static unsafe Double1 Gather(Double1* column, Int1 index) => column[index.Value];
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double1 Broadcast(Double1* column, int element) => column[element];
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Double1* column, int element, double value) => ((double*)column)[element] = value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -178,6 +178,9 @@ internal readonly struct Double16(Vector512<double> low, Vector512<double> high)
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double16 Broadcast(Double16* column, int element) => Of(((double*)column)[element]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Double16* column, int element, double value) => ((double*)column)[element] = value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

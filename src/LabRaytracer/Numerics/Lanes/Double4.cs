@@ -151,6 +151,9 @@ internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double4 Broadcast(Double4* column, int element) => new(Vector256.Create(((double*)column)[element]));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Double4* column, int element, double value) => ((double*)column)[element] = value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

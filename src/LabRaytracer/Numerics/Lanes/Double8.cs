@@ -172,6 +172,9 @@ internal readonly struct Double8(Vector256<double> low, Vector256<double> high) 
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double8 Broadcast(Double8* column, int element) => Of(((double*)column)[element]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Double8* column, int element, double value) => ((double*)column)[element] = value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -127,6 +127,9 @@ internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
     public static unsafe Float1 Gather(Float1* column, Int1 index) => column[index.Value];
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float1 Broadcast(Float1* column, int element) => column[element];
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Float1* column, int element, double value) => ((float*)column)[element] = (float)value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

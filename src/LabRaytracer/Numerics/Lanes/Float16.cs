@@ -141,6 +141,9 @@ internal readonly struct Float16(Vector512<float> value) : ILane<Float16, Float1
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float16 Broadcast(Float16* column, int element) => new(Vector512.Create(((float*)column)[element]));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Float16* column, int element, double value) => ((float*)column)[element] = (float)value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

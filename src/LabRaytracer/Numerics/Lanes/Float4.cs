@@ -139,6 +139,9 @@ internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, 
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float4 Broadcast(Float4* column, int element) => new(Vector128.Create(((float*)column)[element]));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Float4* column, int element, double value) => ((float*)column)[element] = (float)value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

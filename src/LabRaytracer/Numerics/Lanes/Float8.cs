@@ -139,6 +139,9 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float8 Broadcast(Float8* column, int element) => new(Vector256.Create(((float*)column)[element]));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Put(Float8* column, int element, double value) => ((float*)column)[element] = (float)value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -40,6 +40,9 @@ internal interface ILane<R, F, I> : IReal<R>
     /// <param name="index">Element numbers; each must lie inside the column.</param>
     static abstract unsafe R Gather(R* column, I index);
 
+    /// <summary>One element of a column of scalars, in every lane.</summary>
+    static abstract unsafe R Broadcast(R* column, int element);
+
     /// <summary>Writes one element of a column of scalars.</summary>
     static abstract unsafe void Put(R* column, int element, double value);
 

@@ -1,0 +1,15 @@
+namespace LabRaytracer;
+
+/// <summary>A camera that makes many rays at a time, with the same bits as one at a time.</summary>
+internal interface IWideCamera
+{
+    /// <summary>Rays of the positions (x, y), pixels from the top-left corner, of a picture of the given size.</summary>
+    /// <param name="x">Columns of horizontal positions.</param>
+    /// <param name="y">Columns of vertical positions.</param>
+    /// <param name="rays">Where origins and directions go: six columns (origin x, y, z, direction x, y, z).</param>
+    /// <param name="packets">Groups of lanes.</param>
+    /// <param name="width">Width of the whole picture, pixels.</param>
+    /// <param name="height">Height of the whole picture, pixels.</param>
+    unsafe void Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
+        where R : unmanaged, IReal<R>;
+}

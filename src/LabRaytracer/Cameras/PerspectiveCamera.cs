@@ -1,0 +1,65 @@
+namespace LabRaytracer;
+
+/// <summary>A pinhole camera (Polish: kamera perspektywiczna).</summary>
+/// <remarks>
+/// Immutable, thread safe. With f = normalize(target - eye), r = normalize(f x up), u = r x f, the ray through (x, y) has direction
+/// f + r (2 x / width - 1) tan(fov / 2) width / height + u (1 - 2 y / height) tan(fov / 2), normalised.
+/// </remarks>
+public sealed class PerspectiveCamera : Camera, IWideCamera
+{
+    private readonly CameraFrame _frame;
+    private readonly double _halfHeight;
+
+    /// <summary>Creates a pinhole camera.</summary>
+    /// <param name="eye">Where the camera stands, world space; finite.</param>
+    /// <param name="target">Where it looks, world space; finite, not the eye.</param>
+    /// <param name="fieldOfViewDegrees">Vertical angle of view, degrees, (0, 180).</param>
+    /// <param name="up">What is up on the picture, world space; null for +Y. Not along the line of sight.</param>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is outside its range.</exception>
+    public PerspectiveCamera(Point3D eye, Point3D target, double fieldOfViewDegrees, Vector3D? up = null)
+    {
+        if (!(fieldOfViewDegrees is > 0 and < 180))
+        {
+            throw new ArgumentOutOfRangeException(nameof(fieldOfViewDegrees), fieldOfViewDegrees, "The field of view must be in (0, 180) degrees.");
+        }
+
+        _frame = CameraFrame.LookAt(eye, target, up ?? Vector3D.UnitY);
+        (double sin, double cos) = Elementary.SinCosDegrees(fieldOfViewDegrees / 2);
+        _halfHeight = sin / cos;
+        FieldOfViewDegrees = fieldOfViewDegrees;
+        Target = target;
+    }
+
+    /// <summary>Where the camera stands, world space.</summary>
+    public Point3D Eye => _frame.Eye;
+
+    /// <summary>Where it looks, world space.</summary>
+    public Point3D Target { get; }
+
+    /// <summary>Vertical angle of view, degrees, (0, 180).</summary>
+    public double FieldOfViewDegrees { get; }
+
+    /// <inheritdoc/>
+    public override Ray RayAt(double x, double y, int width, int height) => ScalarCamera.RayAt(this, x, y, width, height);
+
+    unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
+    {
+        R stepX = R.Of(2 * _halfHeight / height), startX = R.Of(-_halfHeight * width / height);
+        R stepY = R.Of(-2 * _halfHeight / height), startY = R.Of(_halfHeight);
+        for (int packet = 0; packet < packets; packet++)
+        {
+            R aside = R.Fma(x[packet], stepX, startX);
+            R above = R.Fma(y[packet], stepY, startY);
+            R dx = R.Fma(aside, R.Of(_frame.Right.X), R.Fma(above, R.Of(_frame.Up.X), R.Of(_frame.Forward.X)));
+            R dy = R.Fma(aside, R.Of(_frame.Right.Y), R.Fma(above, R.Of(_frame.Up.Y), R.Of(_frame.Forward.Y)));
+            R dz = R.Fma(aside, R.Of(_frame.Right.Z), R.Fma(above, R.Of(_frame.Up.Z), R.Of(_frame.Forward.Z)));
+            R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(dx, dy, dz, dx, dy, dz));
+            rays.DirectionX[packet] = dx * toUnit;
+            rays.DirectionY[packet] = dy * toUnit;
+            rays.DirectionZ[packet] = dz * toUnit;
+            rays.OriginX[packet] = R.Of(Eye.X);
+            rays.OriginY[packet] = R.Of(Eye.Y);
+            rays.OriginZ[packet] = R.Of(Eye.Z);
+        }
+    }
+}

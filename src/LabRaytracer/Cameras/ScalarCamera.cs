@@ -1,0 +1,19 @@
+namespace LabRaytracer;
+
+/// <summary>The call for one ray of a wide camera: the same formulas with one lane.</summary>
+internal static unsafe class ScalarCamera
+{
+    /// <summary><see cref="Camera.RayAt"/> by the wide path.</summary>
+    public static Ray RayAt(IWideCamera camera, double x, double y, int width, int height)
+    {
+        Double1* n = stackalloc Double1[8];
+        n[0] = new Double1(x);
+        n[1] = new Double1(y);
+        RayColumns<Double1> rays = new()
+        {
+            OriginX = n + 2, OriginY = n + 3, OriginZ = n + 4, DirectionX = n + 5, DirectionY = n + 6, DirectionZ = n + 7,
+        };
+        camera.Rays(n, n + 1, rays, 1, width, height);
+        return new Ray(new Point3D(n[2].Value, n[3].Value, n[4].Value), new Vector3D(n[5].Value, n[6].Value, n[7].Value));
+    }
+}

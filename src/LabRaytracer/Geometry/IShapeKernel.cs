@@ -1,0 +1,33 @@
+namespace LabRaytracer;
+
+/// <summary>The formulas of one class of shapes, written once for any width and precision.</summary>
+/// <remarks>The scalar calls of the public shape run the same formulas with one lane.</remarks>
+internal interface IShapeKernel
+{
+    /// <summary>How many numbers describe one shape.</summary>
+    static abstract int ParameterCount { get; }
+
+    /// <summary>Writes the numbers that describe a shape.</summary>
+    /// <param name="shape">A shape of the kernel's class.</param>
+    /// <param name="transform">Object space to world space; only the kernel of transformed shapes looks at it.</param>
+    /// <param name="numbers">Where they go: <see cref="ParameterCount"/> numbers.</param>
+    static abstract void Describe(Shape shape, Transform transform, Span<double> numbers);
+
+    /// <summary>Nearest hits with t above 0.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">Ray parameters where the mask is true; anything elsewhere.</param>
+    /// <returns>Mask of hits with 0 &lt; t.</returns>
+    static abstract R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>;
+
+    /// <summary>Surface points of hits; every field of <paramref name="s"/> is written (unused ones as zero).</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">Ray parameters as <see cref="Intersect"/> gave them.</param>
+    /// <param name="s">The surface, in the ray's space.</param>
+    static abstract void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>;
+}

@@ -1,0 +1,90 @@
+namespace LabRaytracer;
+
+/// <summary>Shapes whose formulas are a kernel.</summary>
+/// <typeparam name="K">The kernel.</typeparam>
+/// <typeparam name="R">Lane type of geometry.</typeparam>
+/// <typeparam name="F">Float lanes of the same width.</typeparam>
+/// <typeparam name="I">Integer lanes of the same width.</typeparam>
+internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
+    where K : struct, IShapeKernel
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    private readonly List<double> _described = [];
+    private readonly List<int> _numberOfMember = [];
+    private R* _numbers;
+
+    public override int Add(Shape shape, Transform transform, int number)
+    {
+        Span<double> numbers = stackalloc double[K.ParameterCount];
+        K.Describe(shape, transform, numbers);
+        foreach (double value in numbers)
+        {
+            _described.Add(value);
+        }
+
+        _numberOfMember.Add(number);
+        return _numberOfMember.Count - 1;
+    }
+
+    public override void Freeze(LaneMemory memory, int threads)
+    {
+        _numbers = memory.Column<R>(_described.Count, R.Width);
+        for (int k = 0; k < _described.Count; k++)
+        {
+            R.Put(_numbers, k, _described[k]);
+        }
+    }
+
+    public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
+    {
+        SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
+        int number = _numberOfMember[member];
+        for (int packet = first; packet < end; packet++)
+        {
+            RayLanes<R> ray = rays.Load(packet);
+            R mask = K.Intersect(shape, ray, out R t);
+            if (R.Any(mask))
+            {
+                hits.Keep(packet, mask, t, number);
+            }
+        }
+    }
+
+    public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
+    {
+        SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
+        for (int packet = first; packet < end; packet++)
+        {
+            R limit = rays.Limit[packet];
+            RayLanes<R> ray = rays.Load(packet);
+            R mask = K.Intersect(shape, ray, out R t) & R.Less(t, limit);
+            rays.Limit[packet] = R.Select(mask, R.Of(-1), limit);
+        }
+    }
+
+    public override void Surface(
+        RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs)
+    {
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            I index = I.Load(order + (packet * R.Width));
+            RayLanes<R> ray = rays.Gather(index);
+            R t = R.Gather(hits.T, index);
+            SurfaceLanes<R> s;
+            if (_numberOfMember.Count == 1)
+            {
+                K.Surface(new SharedParameters<R, F, I>(_numbers, 0), ray, t, out s);
+            }
+            else
+            {
+                I number = I.Gather((int*)hits.Object, index);
+                I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
+                K.Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, t, out s);
+            }
+
+            surfaces.Store(packet, s, needs);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Columns of rays in world space.</summary>
+/// <remarks>A ray whose limit is below 0 is off: nothing hits it.</remarks>
+internal sealed unsafe class RayBatch<R, F, I>
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <summary>Origin, world space.</summary>
+    public readonly R* OriginX, OriginY, OriginZ;
+
+    /// <summary>Direction, world space, length 1.</summary>
+    public readonly R* DirectionX, DirectionY, DirectionZ;
+
+    /// <summary>Largest distance of interest, excluded; below 0 for a ray that is off or (shadow rays) blocked.</summary>
+    public readonly R* Limit;
+
+    public RayBatch(LaneMemory memory, int capacity)
+    {
+        OriginX = memory.Column<R>(capacity, R.Width);
+        OriginY = memory.Column<R>(capacity, R.Width);
+        OriginZ = memory.Column<R>(capacity, R.Width);
+        DirectionX = memory.Column<R>(capacity, R.Width);
+        DirectionY = memory.Column<R>(capacity, R.Width);
+        DirectionZ = memory.Column<R>(capacity, R.Width);
+        Limit = memory.Column<R>(capacity, R.Width);
+    }
+
+    /// <summary>Number of rays.</summary>
+    public int Count { get; set; }
+
+    /// <summary>Number of groups of lanes that hold them.</summary>
+    public int Packets => (Count + R.Width - 1) / R.Width;
+
+    /// <summary>The rays of one group of lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RayLanes<R> Load(int packet) => new(
+        OriginX[packet], OriginY[packet], OriginZ[packet], DirectionX[packet], DirectionY[packet], DirectionZ[packet]);
+
+    /// <summary>Rays collected by number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RayLanes<R> Gather(I ray) => new(
+        R.Gather(OriginX, ray), R.Gather(OriginY, ray), R.Gather(OriginZ, ray),
+        R.Gather(DirectionX, ray), R.Gather(DirectionY, ray), R.Gather(DirectionZ, ray));
+
+    /// <summary>One ray in doubles.</summary>
+    public Ray this[int ray] => new(
+        new Point3D(R.Take(OriginX, ray), R.Take(OriginY, ray), R.Take(OriginZ, ray)),
+        new Vector3D(R.Take(DirectionX, ray), R.Take(DirectionY, ray), R.Take(DirectionZ, ray)));
+
+    /// <summary>Turns the spare lanes behind the last ray off.</summary>
+    public void PadTail()
+    {
+        for (int ray = Count; ray < Packets * R.Width; ray++)
+        {
+            R.Put(OriginX, ray, 0);
+            R.Put(OriginY, ray, 0);
+            R.Put(OriginZ, ray, 0);
+            R.Put(DirectionX, ray, 0);
+            R.Put(DirectionY, ray, 0);
+            R.Put(DirectionZ, ray, 1);
+            R.Put(Limit, ray, -1);
+        }
+    }
+}

@@ -1,0 +1,18 @@
+namespace LabRaytracer;
+
+/// <summary>Which columns of a surface batch somebody reads: the others are not written.</summary>
+[Flags]
+internal enum SurfaceNeeds
+{
+    /// <summary>Point, normals and slack only.</summary>
+    None = 0,
+
+    /// <summary>The local point (a mapping or a 3D texture).</summary>
+    LocalPoint = 1,
+
+    /// <summary>The local normal (a mapping by faces).</summary>
+    LocalNormal = 2,
+
+    /// <summary>The shape's own texture coordinates.</summary>
+    SurfaceCoordinates = 4,
+}

@@ -1,0 +1,78 @@
+namespace LabRaytracer;
+
+/// <summary>How a scene is rendered.</summary>
+/// <remarks>Immutable, thread safe. Setters throw <see cref="ArgumentOutOfRangeException"/> outside the stated ranges.</remarks>
+public sealed class RenderOptions
+{
+    /// <summary>Largest width and height of a picture, pixels.</summary>
+    public const int MaxSide = 1 << 20;
+
+    private readonly int _width = 1280;
+    private readonly int _height = 720;
+    private readonly int _samples = 1;
+    private readonly int _threads = Environment.ProcessorCount;
+    private readonly int _maxDepth = 5;
+
+    /// <summary>Width of the whole picture, pixels, [1, 1048576]. Default: 1280.</summary>
+    public int Width
+    {
+        get => _width;
+        init => _width = InRange(value, 1, MaxSide);
+    }
+
+    /// <summary>Height of the whole picture, pixels, [1, 1048576]. Default: 720.</summary>
+    public int Height
+    {
+        get => _height;
+        init => _height = InRange(value, 1, MaxSide);
+    }
+
+    /// <summary>Samples a pixel, a square number: 1, 4, 9, ... 65536. Default: 1.</summary>
+    public int Samples
+    {
+        get => _samples;
+        init
+        {
+            int side = (int)Math.Round(Math.Sqrt(Math.Max(0, value)));
+            _samples = value is >= 1 and <= 65536 && side * side == value
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(value), value, "The number of samples must be a square: 1, 4, 9, 16, 25, ... up to 65536.");
+        }
+    }
+
+    /// <summary>Where the samples of a pixel lie. Default: regular.</summary>
+    public SamplePattern Pattern { get; init; }
+
+    /// <summary>Number that random choices derive from, together with pixel and sample. Default: 0.</summary>
+    public int Seed { get; init; }
+
+    /// <summary>Threads, [1, 1024]. Default: as many as processors. The picture does not depend on it.</summary>
+    public int Threads
+    {
+        get => _threads;
+        init => _threads = InRange(value, 1, 1024);
+    }
+
+    /// <summary>Precision of geometry. Default: double.</summary>
+    public Precision Precision { get; init; }
+
+    /// <summary>Most reflections and refractions in a row, [0, 64]; what lies deeper is black. Default: 5.</summary>
+    public int MaxDepth
+    {
+        get => _maxDepth;
+        init => _maxDepth = InRange(value, 0, 64);
+    }
+
+    /// <summary>Filter of all picture textures, overriding their own; null (default): their own.</summary>
+    public TextureFilter? Filter { get; init; }
+
+    /// <summary>What the picture shows. Default: colour.</summary>
+    public RenderView View { get; init; }
+
+    /// <summary>Part of the picture to render, inside it; null (default): all. The result has the size of this part.</summary>
+    public PixelRectangle? Crop { get; init; }
+
+    private static int InRange(int value, int min, int max) => value >= min && value <= max
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, $"Allowed: {min} to {max}.");
+}

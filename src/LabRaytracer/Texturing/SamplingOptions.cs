@@ -1,0 +1,60 @@
+namespace LabRaytracer;
+
+/// <summary>How a <see cref="Texture"/> is looked up.</summary>
+/// <remarks>Immutable, thread safe.</remarks>
+public sealed class SamplingOptions
+{
+    private readonly TextureFilter _filter = TextureFilter.Bilinear;
+    private readonly TexelConvention _texels = TexelConvention.Center;
+    private readonly TextureWrap? _wrapU;
+    private readonly TextureWrap? _wrapV;
+
+    /// <summary>Bilinear between texel centres, wrap as the mapping suggests.</summary>
+    public static SamplingOptions Default { get; } = new();
+
+    /// <summary>Filter. Default: bilinear.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
+    public TextureFilter Filter
+    {
+        get => _filter;
+        init => _filter = Checked(value);
+    }
+
+    /// <summary>Where texels lie. Default: centres.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
+    public TexelConvention Texels
+    {
+        get => _texels;
+        init => _texels = Checked(value);
+    }
+
+    /// <summary>Wrap in u; null (default): as the mapping suggests.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
+    public TextureWrap? WrapU
+    {
+        get => _wrapU;
+        init => _wrapU = value is { } wrap ? Checked(wrap) : null;
+    }
+
+    /// <summary>Wrap in v; null (default): as the mapping suggests.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
+    public TextureWrap? WrapV
+    {
+        get => _wrapV;
+        init => _wrapV = value is { } wrap ? Checked(wrap) : null;
+    }
+
+    /// <summary>How numbers become linear colour. Default: automatic.</summary>
+    public ColorSpace ColorSpace { get; init; } = ColorSpace.Auto;
+
+    /// <summary>The same options with another filter.</summary>
+    public SamplingOptions With(TextureFilter filter) => new()
+    {
+        Filter = filter, Texels = Texels, WrapU = WrapU, WrapV = WrapV, ColorSpace = ColorSpace,
+    };
+
+    private static TEnum Checked<TEnum>(TEnum value)
+        where TEnum : struct, Enum => Enum.IsDefined(value)
+            ? value
+            : throw new ArgumentOutOfRangeException(nameof(value), value, $"Unknown {typeof(TEnum).Name}. Allowed: {string.Join(", ", Enum.GetNames<TEnum>())}.");
+}

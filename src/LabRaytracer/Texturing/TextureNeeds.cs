@@ -1,0 +1,15 @@
+namespace LabRaytracer;
+
+/// <summary>What a texture must know of a hit: what it does not need is not computed.</summary>
+[Flags]
+public enum TextureNeeds
+{
+    /// <summary>Nothing: the colour is the same everywhere.</summary>
+    None = 0,
+
+    /// <summary>Texture coordinates (u, v): the mapping is evaluated.</summary>
+    Coordinate = 1,
+
+    /// <summary>The local point (x, y, z): a 3D texture.</summary>
+    LocalPoint = 2,
+}
