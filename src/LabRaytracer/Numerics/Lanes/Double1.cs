@@ -76,6 +76,13 @@ internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
     public static Double1 Fma(Double1 a, Double1 b, Double1 c) => new(Math.FusedMultiplyAdd(a.Value, b.Value, c.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double1 Exponent(Double1 a) =>
+        new((double)(BitConverter.DoubleToInt64Bits(a.Value) >>> 52) - 1023);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double1 PowerOfTwo(Double1 n) => new(BitConverter.Int64BitsToDouble(((long)n.Value + 1023) << 52));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double1 Less(Double1 a, Double1 b) => Mask(a.Value < b.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -84,6 +84,16 @@ internal readonly struct Double16(Vector512<double> low, Vector512<double> high)
         Vector512.FusedMultiplyAdd(a.Low, b.Low, c.Low), Vector512.FusedMultiplyAdd(a.High, b.High, c.High));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double16 Exponent(Double16 a) => new(
+        (Vector512.ShiftRightLogical(a.Low.AsInt64(), 52) | Vector512.Create(LaneBits.Double52)).AsDouble() - Vector512.Create(LaneBits.Double52Bias),
+        (Vector512.ShiftRightLogical(a.High.AsInt64(), 52) | Vector512.Create(LaneBits.Double52)).AsDouble() - Vector512.Create(LaneBits.Double52Bias));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double16 PowerOfTwo(Double16 n) => new(
+        Vector512.ShiftLeft((n.Low + Vector512.Create(LaneBits.Double52Bias)).AsInt64(), 52).AsDouble(),
+        Vector512.ShiftLeft((n.High + Vector512.Create(LaneBits.Double52Bias)).AsInt64(), 52).AsDouble());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double16 Less(Double16 a, Double16 b) => new(Vector512.LessThan(a.Low, b.Low), Vector512.LessThan(a.High, b.High));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -74,6 +74,13 @@ internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float
     public static Double4 Fma(Double4 a, Double4 b, Double4 c) => new(Vector256.FusedMultiplyAdd(a.Value, b.Value, c.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 Exponent(Double4 a) => new(
+        (Vector256.ShiftRightLogical(a.Value.AsInt64(), 52) | Vector256.Create(LaneBits.Double52)).AsDouble() - Vector256.Create(LaneBits.Double52Bias));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double4 PowerOfTwo(Double4 n) => new(Vector256.ShiftLeft((n.Value + Vector256.Create(LaneBits.Double52Bias)).AsInt64(), 52).AsDouble());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double4 Less(Double4 a, Double4 b) => new(Vector256.LessThan(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

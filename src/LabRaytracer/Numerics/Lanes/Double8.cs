@@ -84,6 +84,16 @@ internal readonly struct Double8(Vector256<double> low, Vector256<double> high) 
         Vector256.FusedMultiplyAdd(a.Low, b.Low, c.Low), Vector256.FusedMultiplyAdd(a.High, b.High, c.High));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double8 Exponent(Double8 a) => new(
+        (Vector256.ShiftRightLogical(a.Low.AsInt64(), 52) | Vector256.Create(LaneBits.Double52)).AsDouble() - Vector256.Create(LaneBits.Double52Bias),
+        (Vector256.ShiftRightLogical(a.High.AsInt64(), 52) | Vector256.Create(LaneBits.Double52)).AsDouble() - Vector256.Create(LaneBits.Double52Bias));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Double8 PowerOfTwo(Double8 n) => new(
+        Vector256.ShiftLeft((n.Low + Vector256.Create(LaneBits.Double52Bias)).AsInt64(), 52).AsDouble(),
+        Vector256.ShiftLeft((n.High + Vector256.Create(LaneBits.Double52Bias)).AsInt64(), 52).AsDouble());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double8 Less(Double8 a, Double8 b) => new(Vector256.LessThan(a.Low, b.Low), Vector256.LessThan(a.High, b.High));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -76,6 +76,13 @@ internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
     public static Float1 Fma(Float1 a, Float1 b, Float1 c) => new(MathF.FusedMultiplyAdd(a.Value, b.Value, c.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float1 Exponent(Float1 a) =>
+        new((float)(BitConverter.SingleToInt32Bits(a.Value) >>> 23) - 127);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float1 PowerOfTwo(Float1 n) => new(BitConverter.Int32BitsToSingle(((int)n.Value + 127) << 23));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float1 Less(Float1 a, Float1 b) => Mask(a.Value < b.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -74,6 +74,13 @@ internal readonly struct Float16(Vector512<float> value) : ILane<Float16, Float1
     public static Float16 Fma(Float16 a, Float16 b, Float16 c) => new(Vector512.FusedMultiplyAdd(a.Value, b.Value, c.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float16 Exponent(Float16 a) => new(
+        (Vector512.ShiftRightLogical(a.Value.AsInt32(), 23) | Vector512.Create(LaneBits.Single23)).AsSingle() - Vector512.Create(LaneBits.Single23Bias));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float16 PowerOfTwo(Float16 n) => new(Vector512.ShiftLeft((n.Value + Vector512.Create(LaneBits.Single23Bias)).AsInt32(), 23).AsSingle());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float16 Less(Float16 a, Float16 b) => new(Vector512.LessThan(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

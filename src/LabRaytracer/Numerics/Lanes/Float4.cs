@@ -74,6 +74,13 @@ internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, 
     public static Float4 Fma(Float4 a, Float4 b, Float4 c) => new(Vector128.FusedMultiplyAdd(a.Value, b.Value, c.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Exponent(Float4 a) => new(
+        (Vector128.ShiftRightLogical(a.Value.AsInt32(), 23) | Vector128.Create(LaneBits.Single23)).AsSingle() - Vector128.Create(LaneBits.Single23Bias));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 PowerOfTwo(Float4 n) => new(Vector128.ShiftLeft((n.Value + Vector128.Create(LaneBits.Single23Bias)).AsInt32(), 23).AsSingle());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float4 Less(Float4 a, Float4 b) => new(Vector128.LessThan(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -74,6 +74,13 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     public static Float8 Fma(Float8 a, Float8 b, Float8 c) => new(Vector256.FusedMultiplyAdd(a.Value, b.Value, c.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float8 Exponent(Float8 a) => new(
+        (Vector256.ShiftRightLogical(a.Value.AsInt32(), 23) | Vector256.Create(LaneBits.Single23)).AsSingle() - Vector256.Create(LaneBits.Single23Bias));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float8 PowerOfTwo(Float8 n) => new(Vector256.ShiftLeft((n.Value + Vector256.Create(LaneBits.Single23Bias)).AsInt32(), 23).AsSingle());
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 Less(Float8 a, Float8 b) => new(Vector256.LessThan(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

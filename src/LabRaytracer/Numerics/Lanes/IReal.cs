@@ -51,6 +51,12 @@ internal interface IReal<T> :
     /// <summary><c>a * b + c</c> with one rounding.</summary>
     static abstract T Fma(T a, T b, T c);
 
+    /// <summary>Exponent of a positive, normal number, as a number: floor(log2(a)), exactly.</summary>
+    static abstract T Exponent(T a);
+
+    /// <summary>The power of two <c>2^n</c>, exactly; n is an integer, [-1022, 1023] in double lanes, [-126, 127] in float lanes.</summary>
+    static abstract T PowerOfTwo(T n);
+
     /// <summary>Mask of <c>a &lt; b</c>; false where either is NaN.</summary>
     static abstract T Less(T a, T b);
 

@@ -1,0 +1,38 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>The disk of radius 1 in the plane y = 0, by angle and distance from the centre.</summary>
+/// <remarks>
+/// <para>u = phi / 2 pi with phi = atan2(x, z), v = rho with rho = sqrt(x² + z²).</para>
+/// <para>u in [0, 1), 0 at the centre; error at most 1 ulp. v in [0, 1] on the disk, error at most 1 ulp.
+/// The centre is the bottom edge of the picture, the rim its top edge; seen from -Y the picture is not mirrored.</para>
+/// <list type="table">
+/// <listheader><term>local point (x, y, z)</term><description>(u, v)</description></listheader>
+/// <item><term>(0, 0, 0)</term><description>(0, 0)</description></item>
+/// <item><term>(0, 0, 1)</term><description>(0, 1)</description></item>
+/// <item><term>(1, 0, 0)</term><description>(0.25, 1)</description></item>
+/// <item><term>(0, 0, -0.5)</term><description>(0.5, 0.5)</description></item>
+/// <item><term>(-0.25, 0, 0)</term><description>(0.75, 0.25)</description></item>
+/// <item><term>(0.375, 0, 0.5)</term><description>(0.1024163823495667, 0.625)</description></item>
+/// </list>
+/// <para>Immutable, thread safe.</para>
+/// </remarks>
+public sealed class DiskMapping : IWideMapping, IPointFormula
+{
+    /// <summary>Clamp: the picture ends at both ends of v.</summary>
+    public TextureWrap DefaultWrapV => TextureWrap.Clamp;
+
+    /// <summary>Texture coordinates of a point.</summary>
+    /// <param name="localPoint">The point in object space; finite.</param>
+    public TextureCoordinate Map(Point3D localPoint) => PointFormulas.Map<DiskMapping>(localPoint);
+
+    /// <inheritdoc/>
+    public TextureCoordinate Map(in SurfacePosition position) => Map(position.LocalPoint);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    static (T U, T V) IPointFormula.Coordinates<T>(T x, T y, T z) => (Elementary.Atan2Turns(x, z), Elementary.Hypotenuse(x, z));
+
+    void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
+        PointFormulas.Map<DiskMapping, R>(positions, coordinates, packets);
+}
