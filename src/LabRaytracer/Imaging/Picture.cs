@@ -26,6 +26,9 @@ public sealed class Picture
     /// <summary>All pixels, row by row from the top.</summary>
     public Span<Intensity> Pixels => pixels;
 
+    /// <summary>All pixels, for work on other threads.</summary>
+    internal ReadOnlyMemory<Intensity> Memory => pixels;
+
     /// <summary>One pixel.</summary>
     /// <param name="x">Column, [0, Width), from the left.</param>
     /// <param name="y">Row, [0, Height), from the top.</param>
