@@ -72,7 +72,8 @@ internal static class AtomicFile
 
         try
         {
-            return File.ResolveLinkTarget(full, returnFinalTarget: true)?.FullName ?? full;
+            FileInfo file = new(full);
+            return file.LinkTarget is null ? full : file.ResolveLinkTarget(returnFinalTarget: true)?.FullName ?? full;
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {

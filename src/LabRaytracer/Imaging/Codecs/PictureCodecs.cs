@@ -101,7 +101,7 @@ public sealed class PictureCodecs
     private static ImmutableArray<IPictureCodec> CreateDefault()
     {
         ImmutableArray<IPictureCodec>.Builder codecs = ImmutableArray.CreateBuilder<IPictureCodec>();
-        codecs.AddRange(new PngCodec(), new NetpbmCodec(), new PfmCodec());
+        codecs.AddRange(new PngCodec(), new NetpbmCodec(), new PfmCodec(), new HdrCodec());
 
         // The adapter is compiled on request only: its assembly is then empty or absent, and the type is not found.
         if (Type.GetType(AdapterType, throwOnError: false) is { } adapter && Activator.CreateInstance(adapter) is IPictureCodec codec)
@@ -109,6 +109,7 @@ public sealed class PictureCodecs
             codecs.Add(codec);
         }
 
+        codecs.Add(new JpegCodec());
         return codecs.ToImmutable();
     }
 }
