@@ -19,22 +19,28 @@ namespace LabRaytracer;
 /// </list>
 /// <para>Immutable, thread safe.</para>
 /// </remarks>
-public sealed class CylindricalMapping : IWideMapping, IPointFormula
+public sealed class CylindricalMapping : IWideMapping
 {
     /// <summary>Clamp: the picture ends at both ends of v.</summary>
     public TextureWrap DefaultWrapV => TextureWrap.Clamp;
 
     /// <summary>Texture coordinates of a point.</summary>
     /// <param name="localPoint">The point in object space; finite.</param>
-    public TextureCoordinate Map(Point3D localPoint) => PointFormulas.Map<CylindricalMapping>(localPoint);
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public TextureCoordinate Map(Point3D localPoint) => PointFormulas.Map<Formula>(localPoint);
 
     /// <inheritdoc/>
-    public TextureCoordinate Map(in SurfacePosition position) => Map(position.LocalPoint);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    static (T U, T V) IPointFormula.Coordinates<T>(T x, T y, T z) =>
-        (Elementary.Atan2Turns(x, z), (y + T.Of(1)) * T.Of(0.5));
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public TextureCoordinate Map(in SurfacePosition position) => PointFormulas.Map<Formula>(position.LocalPoint);
 
     void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
-        PointFormulas.Map<CylindricalMapping, R>(positions, coordinates, packets);
+        PointFormulas.Map<Formula, R>(positions, coordinates, packets);
+
+    private readonly struct Formula : IPointFormula
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static (T U, T V) Coordinates<T>(T x, T y, T z)
+            where T : unmanaged, IReal<T> =>
+            (Elementary.Atan2Turns(x, z), (y + T.Of(1)) * T.Of(0.5));
+    }
 }

@@ -8,10 +8,6 @@ internal static partial class Elementary
         where T : unmanaged, IReal<T> =>
         T.Min(T.Select(T.Equal(a, a), T.Abs(a), T.Zero), T.Of(T.IsSingle ? float.MaxValue : double.MaxValue));
 
-    /// <summary>Two to a power that depends on the precision.</summary>
-    private static T Power<T>(int single, int twice)
-        where T : unmanaged, IReal<T> => T.Of(Math.ScaleB(1, T.IsSingle ? single : twice));
-
     /// <summary>Factor for both coordinates of the azimuth: their sum and quotient stay normal.</summary>
     private static T AzimuthScale<T>(T larger)
         where T : unmanaged, IReal<T>

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Elementary functions with the same bits on every machine and at every width.</summary>
@@ -9,6 +11,12 @@ namespace LabRaytracer;
 internal static partial class Elementary
 {
     /// <summary>The largest number below 1 of a lane's precision.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static T BelowOne<T>()
         where T : unmanaged, IReal<T> => T.Of(T.IsSingle ? 0.99999994039535522 : 0.99999999999999989);
+
+    /// <summary>Two to a power that depends on the precision; made of its bits, so that the compiler folds it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static T Power<T>(int single, int twice)
+        where T : unmanaged, IReal<T> => T.Of(BitConverter.Int64BitsToDouble((1023L + (T.IsSingle ? single : twice)) << 52));
 }

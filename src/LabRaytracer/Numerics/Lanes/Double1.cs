@@ -1,21 +1,39 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace LabRaytracer;
 
 /// <summary>One double as a lane type: the width of a student's call, and of processors without vectors.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
 {
     /// <summary>The number.</summary>
     public readonly double Value = value;
 
-    public static int Width => 1;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 1;
+    }
 
-    public static bool IsSingle => false;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
 
-    public static Double1 Zero => default;
+    public static Double1 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => default;
+    }
 
-    public static Double1 True => new(BitConverter.Int64BitsToDouble(-1));
+    public static Double1 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(BitConverter.Int64BitsToDouble(-1));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double1 operator +(Double1 a, Double1 b) => new(a.Value + b.Value);
@@ -30,22 +48,19 @@ internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
     public static Double1 operator /(Double1 a, Double1 b) => new(a.Value / b.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 operator &(Double1 a, Double1 b) =>
-        new(BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(a.Value) & BitConverter.DoubleToInt64Bits(b.Value)));
+    public static Double1 operator &(Double1 a, Double1 b) => new((Wide(a) & Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 operator |(Double1 a, Double1 b) =>
-        new(BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(a.Value) | BitConverter.DoubleToInt64Bits(b.Value)));
+    public static Double1 operator |(Double1 a, Double1 b) => new((Wide(a) | Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 operator ^(Double1 a, Double1 b) =>
-        new(BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(a.Value) ^ BitConverter.DoubleToInt64Bits(b.Value)));
+    public static Double1 operator ^(Double1 a, Double1 b) => new((Wide(a) ^ Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double1 operator -(Double1 a) => new(-a.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 operator ~(Double1 a) => new(BitConverter.Int64BitsToDouble(~BitConverter.DoubleToInt64Bits(a.Value)));
+    public static Double1 operator ~(Double1 a) => new((~Wide(a)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double1 Of(double value) => new(value);
@@ -83,16 +98,17 @@ internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
     public static Double1 PowerOfTwo(Double1 n) => new(BitConverter.Int64BitsToDouble(((long)n.Value + 1023) << 52));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 Less(Double1 a, Double1 b) => Mask(a.Value < b.Value);
+    public static Double1 Less(Double1 a, Double1 b) => new(Vector128.LessThan(Wide(a), Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 LessOrEqual(Double1 a, Double1 b) => Mask(a.Value <= b.Value);
+    public static Double1 LessOrEqual(Double1 a, Double1 b) => new(Vector128.LessThanOrEqual(Wide(a), Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 Equal(Double1 a, Double1 b) => Mask(a.Value == b.Value);
+    public static Double1 Equal(Double1 a, Double1 b) => new(Vector128.Equals(Wide(a), Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double1 Select(Double1 mask, Double1 yes, Double1 no) => (mask & yes) | (~mask & no);
+    public static Double1 Select(Double1 mask, Double1 yes, Double1 no) =>
+        new(Vector128.ConditionalSelect(Wide(mask), Wide(yes), Wide(no)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Bits(Double1 mask) => (uint)(BitConverter.DoubleToInt64Bits(mask.Value) & 1);
@@ -142,6 +158,7 @@ internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe double Take(Double1* column, int element) => ((double*)column)[element];
 
+    /// <summary>The number in the lowest lane of a vector register: selections then need no detour through integer registers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double1 Mask(bool condition) => new(BitConverter.Int64BitsToDouble(condition ? -1 : 0));
+    private static Vector128<double> Wide(Double1 a) => Vector128.CreateScalarUnsafe(a.Value);
 }

@@ -5,6 +5,7 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>16 doubles side by side in two 512-bit registers: as many lanes as one register of floats.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Double16(Vector512<double> low, Vector512<double> high) : ILane<Double16, Float16, Int16>
 {
     /// <summary>Lanes 0 to 7.</summary>
@@ -13,13 +14,29 @@ internal readonly struct Double16(Vector512<double> low, Vector512<double> high)
     /// <summary>Lanes 8 to 15.</summary>
     public readonly Vector512<double> High = high;
 
-    public static int Width => 16;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 16;
+    }
 
-    public static bool IsSingle => false;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
 
-    public static Double16 Zero => new(Vector512<double>.Zero, Vector512<double>.Zero);
+    public static Double16 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector512<double>.Zero, Vector512<double>.Zero);
+    }
 
-    public static Double16 True => new(Vector512<double>.AllBitsSet, Vector512<double>.AllBitsSet);
+    public static Double16 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector512<double>.AllBitsSet, Vector512<double>.AllBitsSet);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double16 operator +(Double16 a, Double16 b) => new(a.Low + b.Low, a.High + b.High);

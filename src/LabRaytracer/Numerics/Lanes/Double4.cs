@@ -5,18 +5,35 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>4 doubles side by side in one 256-bit register.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float4, Int4>
 {
     /// <summary>The lanes as the runtime's vector.</summary>
     public readonly Vector256<double> Value = value;
 
-    public static int Width => 4;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 4;
+    }
 
-    public static bool IsSingle => false;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
 
-    public static Double4 Zero => new(Vector256<double>.Zero);
+    public static Double4 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256<double>.Zero);
+    }
 
-    public static Double4 True => new(Vector256<double>.AllBitsSet);
+    public static Double4 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256<double>.AllBitsSet);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double4 operator +(Double4 a, Double4 b) => new(a.Value + b.Value);

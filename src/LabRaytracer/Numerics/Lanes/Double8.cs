@@ -5,6 +5,7 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>8 doubles side by side in two 256-bit registers: as many lanes as one register of floats.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Double8(Vector256<double> low, Vector256<double> high) : ILane<Double8, Float8, Int8>
 {
     /// <summary>Lanes 0 to 3.</summary>
@@ -13,13 +14,29 @@ internal readonly struct Double8(Vector256<double> low, Vector256<double> high) 
     /// <summary>Lanes 4 to 7.</summary>
     public readonly Vector256<double> High = high;
 
-    public static int Width => 8;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 8;
+    }
 
-    public static bool IsSingle => false;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => false;
+    }
 
-    public static Double8 Zero => new(Vector256<double>.Zero, Vector256<double>.Zero);
+    public static Double8 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256<double>.Zero, Vector256<double>.Zero);
+    }
 
-    public static Double8 True => new(Vector256<double>.AllBitsSet, Vector256<double>.AllBitsSet);
+    public static Double8 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256<double>.AllBitsSet, Vector256<double>.AllBitsSet);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double8 operator +(Double8 a, Double8 b) => new(a.Low + b.Low, a.High + b.High);

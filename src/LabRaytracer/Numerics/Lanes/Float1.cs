@@ -1,21 +1,39 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace LabRaytracer;
 
 /// <summary>One float as a lane type: the width of a student's call, and of processors without vectors.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
 {
     /// <summary>The number.</summary>
     public readonly float Value = value;
 
-    public static int Width => 1;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 1;
+    }
 
-    public static bool IsSingle => true;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
 
-    public static Float1 Zero => default;
+    public static Float1 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => default;
+    }
 
-    public static Float1 True => new(BitConverter.Int32BitsToSingle(-1));
+    public static Float1 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(BitConverter.Int32BitsToSingle(-1));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float1 operator +(Float1 a, Float1 b) => new(a.Value + b.Value);
@@ -30,22 +48,19 @@ internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
     public static Float1 operator /(Float1 a, Float1 b) => new(a.Value / b.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 operator &(Float1 a, Float1 b) =>
-        new(BitConverter.Int32BitsToSingle(BitConverter.SingleToInt32Bits(a.Value) & BitConverter.SingleToInt32Bits(b.Value)));
+    public static Float1 operator &(Float1 a, Float1 b) => new((Wide(a) & Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 operator |(Float1 a, Float1 b) =>
-        new(BitConverter.Int32BitsToSingle(BitConverter.SingleToInt32Bits(a.Value) | BitConverter.SingleToInt32Bits(b.Value)));
+    public static Float1 operator |(Float1 a, Float1 b) => new((Wide(a) | Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 operator ^(Float1 a, Float1 b) =>
-        new(BitConverter.Int32BitsToSingle(BitConverter.SingleToInt32Bits(a.Value) ^ BitConverter.SingleToInt32Bits(b.Value)));
+    public static Float1 operator ^(Float1 a, Float1 b) => new((Wide(a) ^ Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float1 operator -(Float1 a) => new(-a.Value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 operator ~(Float1 a) => new(BitConverter.Int32BitsToSingle(~BitConverter.SingleToInt32Bits(a.Value)));
+    public static Float1 operator ~(Float1 a) => new((~Wide(a)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float1 Of(double value) => new((float)value);
@@ -83,16 +98,17 @@ internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
     public static Float1 PowerOfTwo(Float1 n) => new(BitConverter.Int32BitsToSingle(((int)n.Value + 127) << 23));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 Less(Float1 a, Float1 b) => Mask(a.Value < b.Value);
+    public static Float1 Less(Float1 a, Float1 b) => new(Vector128.LessThan(Wide(a), Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 LessOrEqual(Float1 a, Float1 b) => Mask(a.Value <= b.Value);
+    public static Float1 LessOrEqual(Float1 a, Float1 b) => new(Vector128.LessThanOrEqual(Wide(a), Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 Equal(Float1 a, Float1 b) => Mask(a.Value == b.Value);
+    public static Float1 Equal(Float1 a, Float1 b) => new(Vector128.Equals(Wide(a), Wide(b)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float1 Select(Float1 mask, Float1 yes, Float1 no) => (mask & yes) | (~mask & no);
+    public static Float1 Select(Float1 mask, Float1 yes, Float1 no) =>
+        new(Vector128.ConditionalSelect(Wide(mask), Wide(yes), Wide(no)).ToScalar());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Bits(Float1 mask) => (uint)(BitConverter.SingleToInt32Bits(mask.Value) & 1);
@@ -142,6 +158,7 @@ internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe double Take(Float1* column, int element) => ((float*)column)[element];
 
+    /// <summary>The number in the lowest lane of a vector register: selections then need no detour through integer registers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Float1 Mask(bool condition) => new(BitConverter.Int32BitsToSingle(condition ? -1 : 0));
+    private static Vector128<float> Wide(Float1 a) => Vector128.CreateScalarUnsafe(a.Value);
 }

@@ -5,18 +5,35 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>16 floats side by side in one 512-bit register.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Float16(Vector512<float> value) : ILane<Float16, Float16, Int16>
 {
     /// <summary>The lanes as the runtime's vector.</summary>
     public readonly Vector512<float> Value = value;
 
-    public static int Width => 16;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 16;
+    }
 
-    public static bool IsSingle => true;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
 
-    public static Float16 Zero => new(Vector512<float>.Zero);
+    public static Float16 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector512<float>.Zero);
+    }
 
-    public static Float16 True => new(Vector512<float>.AllBitsSet);
+    public static Float16 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector512<float>.AllBitsSet);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float16 operator +(Float16 a, Float16 b) => new(a.Value + b.Value);

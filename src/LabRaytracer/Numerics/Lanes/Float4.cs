@@ -5,18 +5,35 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>4 floats side by side in one 128-bit register.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, Int4>
 {
     /// <summary>The lanes as the runtime's vector.</summary>
     public readonly Vector128<float> Value = value;
 
-    public static int Width => 4;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 4;
+    }
 
-    public static bool IsSingle => true;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
 
-    public static Float4 Zero => new(Vector128<float>.Zero);
+    public static Float4 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector128<float>.Zero);
+    }
 
-    public static Float4 True => new(Vector128<float>.AllBitsSet);
+    public static Float4 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector128<float>.AllBitsSet);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float4 operator +(Float4 a, Float4 b) => new(a.Value + b.Value);

@@ -5,18 +5,35 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>8 floats side by side in one 256-bit register.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, Int8>
 {
     /// <summary>The lanes as the runtime's vector.</summary>
     public readonly Vector256<float> Value = value;
 
-    public static int Width => 8;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 8;
+    }
 
-    public static bool IsSingle => true;
+    public static bool IsSingle
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => true;
+    }
 
-    public static Float8 Zero => new(Vector256<float>.Zero);
+    public static Float8 Zero
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256<float>.Zero);
+    }
 
-    public static Float8 True => new(Vector256<float>.AllBitsSet);
+    public static Float8 True
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector256<float>.AllBitsSet);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 operator +(Float8 a, Float8 b) => new(a.Value + b.Value);

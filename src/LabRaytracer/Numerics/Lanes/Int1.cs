@@ -3,12 +3,17 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>1 32-bit integer as a lane type.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Int1(int value) : IIndexLane<Int1>
 {
     /// <summary>The lanes.</summary>
     public readonly int Value = value;
 
-    public static int Width => 1;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 1;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int1 operator +(Int1 a, Int1 b) => new(a.Value + b.Value);

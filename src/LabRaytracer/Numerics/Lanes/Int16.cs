@@ -5,12 +5,17 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>16 32-bit integers side by side.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Int16(Vector512<int> value) : IIndexLane<Int16>
 {
     /// <summary>The lanes.</summary>
     public readonly Vector512<int> Value = value;
 
-    public static int Width => 16;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 16;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int16 operator +(Int16 a, Int16 b) => new(a.Value + b.Value);

@@ -5,12 +5,17 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>4 32-bit integers side by side.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Int4(Vector128<int> value) : IIndexLane<Int4>
 {
     /// <summary>The lanes.</summary>
     public readonly Vector128<int> Value = value;
 
-    public static int Width => 4;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 4;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int4 operator +(Int4 a, Int4 b) => new(a.Value + b.Value);

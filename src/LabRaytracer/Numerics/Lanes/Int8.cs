@@ -5,12 +5,17 @@ using System.Runtime.Intrinsics.X86;
 namespace LabRaytracer;
 
 /// <summary>8 32-bit integers side by side.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Int8(Vector256<int> value) : IIndexLane<Int8>
 {
     /// <summary>The lanes.</summary>
     public readonly Vector256<int> Value = value;
 
-    public static int Width => 8;
+    public static int Width
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => 8;
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int8 operator +(Int8 a, Int8 b) => new(a.Value + b.Value);
