@@ -1,33 +1,179 @@
 namespace LabRaytracer;
 
 /// <summary>A picture as a texture (Polish: tekstura): the class of lab sheet IV, Program 1.</summary>
-/// <remarks>Placeholder members follow.</remarks>
-public sealed class Texture : ITexture
+/// <remarks>
+/// <para>A texture loaded from a file keeps its packed texels (4 bytes each for 8-bit files) and decodes the file when it is first needed.
+/// <see cref="ColorMap"/> is a door onto them: its first read builds the array, which is the truth from then on.</para>
+/// <para>Edits of <see cref="ColorMap"/> between renders count; during one, never. Rendering with a texture is thread safe, editing it is not.</para>
+/// </remarks>
+public sealed class Texture : IPreparedTexture
 {
-    private readonly Intensity[,] _colorMap;
+    private readonly Lazy<TexelStore>? _store;
+    private Intensity[,]? _colorMap;
+    private SamplingOptions _sampling = SamplingOptions.Default;
 
     /// <summary>Creates a black texture.</summary>
     /// <param name="width">Columns, [1, 1048576].</param>
     /// <param name="height">Rows, [1, 1048576].</param>
+    /// <exception cref="ArgumentOutOfRangeException">A side is outside its range.</exception>
     public Texture(int width, int height)
     {
-        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(width);
-        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(height);
+        CheckSide(width, nameof(width));
+        CheckSide(height, nameof(height));
         _colorMap = new Intensity[width, height];
     }
 
+    /// <summary>Creates a texture of an array, which it keeps: <c>colorMap[x, y]</c>, y up.</summary>
+    /// <param name="colorMap">Linear colours; 1 to 1048576 columns and rows.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A side is outside its range.</exception>
+    public Texture(Intensity[,] colorMap)
+    {
+        ArgumentNullException.ThrowIfNull(colorMap);
+        CheckSide(colorMap.GetLength(0), nameof(colorMap));
+        CheckSide(colorMap.GetLength(1), nameof(colorMap));
+        _colorMap = colorMap;
+    }
+
+    private Texture(Lazy<TexelStore> store) => _store = store;
+
     /// <summary>Number of columns.</summary>
-    public int Width => _colorMap.GetLength(0);
+    /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
+    public int Width => _colorMap?.GetLength(0) ?? _store!.Value.Width;
 
     /// <summary>Number of rows.</summary>
-    public int Height => _colorMap.GetLength(1);
+    /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
+    public int Height => _colorMap?.GetLength(1) ?? _store!.Value.Height;
 
-    /// <summary>Colours of the texels: [x, y], x to the right, y up; [0, 0] is the bottom-left texel.</summary>
-    public Intensity[,] ColorMap => _colorMap;
+    /// <summary>
+    /// Linear colours of the texels: <c>ColorMap[x, y]</c>, x to the right in [0, Width), y up in [0, Height): [0, 0] is the bottom-left texel,
+    /// so that the sheet's y_p = (v_res - 1) v holds as written.
+    /// </summary>
+    /// <remarks>The first read of a loaded texture builds the array; from then on the array is what is rendered.</remarks>
+    public Intensity[,] ColorMap => _colorMap ??= BuildColorMap(_store!.Value, DecodeTable(_store.Value, isData: false));
 
-    /// <summary>How the texture is looked up. Default: bilinear.</summary>
-    public SamplingOptions Sampling { get; set; } = SamplingOptions.Default;
+    /// <summary>How the texture is looked up. Default: bilinear between texel centres, wrap as the mapping suggests.</summary>
+    public SamplingOptions Sampling
+    {
+        get => _sampling;
+        set => _sampling = value ?? throw new ArgumentNullException(nameof(value));
+    }
+
+    /// <summary>Where the picture came from, for messages; empty if not from a file.</summary>
+    public string Path { get; private init; } = "";
+
+    /// <summary>A texture of a picture file, decoded when it is first needed.</summary>
+    /// <param name="path">Path of a PNG, PPM, PGM, PFM, HDR (or, if a codec is there, JPEG or other) file.</param>
+    /// <param name="limits">Limits of size; null for the defaults.</param>
+    /// <exception cref="FileNotFoundException">There is no such file.</exception>
+    public static Texture Load(string path, PictureLimits? limits = null)
+    {
+        ArgumentException.ThrowIfNullOrEmpty(path);
+        if (!File.Exists(path))
+        {
+            throw new FileNotFoundException($"There is no picture file '{path}'.", path);
+        }
+
+        return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits)))) { Path = path };
+    }
+
+    /// <summary>A texture of a picture. Row 0 of a picture is its top, row 0 of <see cref="ColorMap"/> the bottom: this is the only place that turns them over.</summary>
+    /// <param name="picture">Linear colours.</param>
+    public static Texture FromPicture(Picture picture)
+    {
+        ArgumentNullException.ThrowIfNull(picture);
+        Intensity[,] colorMap = new Intensity[picture.Width, picture.Height];
+        for (int y = 0; y < picture.Height; y++)
+        {
+            Span<Intensity> row = picture.Row(picture.Height - 1 - y);
+            for (int x = 0; x < row.Length; x++)
+            {
+                colorMap[x, y] = row[x];
+            }
+        }
+
+        return new Texture(colorMap);
+    }
+
+    /// <summary>The same texels (shared, not copied), looked up in another way.</summary>
+    /// <param name="sampling">How.</param>
+    public Texture With(SamplingOptions sampling)
+    {
+        ArgumentNullException.ThrowIfNull(sampling);
+        return _colorMap is not null
+            ? new Texture(_colorMap) { Sampling = sampling, Path = Path }
+            : new Texture(_store!) { Sampling = sampling, Path = Path };
+    }
 
     /// <inheritdoc/>
-    public Intensity Sample(in TextureLookup lookup) => _colorMap[0, 0];
+    public Intensity Sample(in TextureLookup lookup)
+    {
+        TexelAxis across = new(Width, Sampling.WrapU ?? lookup.WrapU, Sampling.Texels);
+        TexelAxis up = new(Height, Sampling.WrapV ?? lookup.WrapV, Sampling.Texels);
+        Double1 u = new(lookup.Coordinate.U), v = new(lookup.Coordinate.V);
+        if (Sampling.Filter == TextureFilter.Nearest)
+        {
+            Double1 off = across.Nearest<Double1, Float1, Int1>(u, out Int1 x) | up.Nearest<Double1, Float1, Int1>(v, out Int1 y);
+            return Double1.Any(off) ? Intensity.Black : Texel(x.Value, y.Value);
+        }
+
+        Double1 outside = across.Between(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between(v, out Int1 y0, out Int1 y1, out Float1 above);
+        Intensity below = Between(Texel(x0.Value, y0.Value), Texel(x1.Value, y0.Value), right.Value);
+        Intensity top = Between(Texel(x0.Value, y1.Value), Texel(x1.Value, y1.Value), right.Value);
+        return Double1.Any(outside) ? Intensity.Black : Between(below, top, above.Value);
+    }
+
+    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) =>
+        PictureSamplers.Create(_colorMap is null ? _store!.Value : Pack(_colorMap), isData, Sampling, filter ?? Sampling.Filter);
+
+    /// <summary>Linear light of every code of a store in this texture's colour space.</summary>
+    private ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData) => PictureSamplers.DecodeTable(store, isData, Sampling.ColorSpace);
+
+    private Intensity Texel(int x, int y) => _colorMap is not null
+        ? _colorMap[x, y]
+        : _store!.Value.Color(DecodeTable(_store.Value, isData: false), x, y);
+
+    private static Intensity Between(Intensity a, Intensity b, float weight) => new(
+        MathF.FusedMultiplyAdd(weight, b.R - a.R, a.R),
+        MathF.FusedMultiplyAdd(weight, b.G - a.G, a.G),
+        MathF.FusedMultiplyAdd(weight, b.B - a.B, a.B));
+
+    private static Intensity[,] BuildColorMap(TexelStore store, ReadOnlySpan<float> table)
+    {
+        Intensity[,] colorMap = new Intensity[store.Width, store.Height];
+        for (int y = 0; y < store.Height; y++)
+        {
+            for (int x = 0; x < store.Width; x++)
+            {
+                colorMap[x, y] = store.Color(table, x, y);
+            }
+        }
+
+        return colorMap;
+    }
+
+    /// <summary>The array as packed floats, row 0 on top.</summary>
+    private static TexelStore Pack(Intensity[,] colorMap)
+    {
+        int width = colorMap.GetLength(0), height = colorMap.GetLength(1);
+        float[] samples = new float[4 * width * height];
+        for (int x = 0; x < width; x++)
+        {
+            for (int y = 0; y < height; y++)
+            {
+                Intensity color = colorMap[x, y];
+                int at = 4 * (((height - 1 - y) * width) + x);
+                (samples[at], samples[at + 1], samples[at + 2], samples[at + 3]) = (color.R, color.G, color.B, 1);
+            }
+        }
+
+        return new TexelStore(PixelBuffer.FromRgbaFloat(width, height, samples, TransferFunction.Linear, "ColorMap"));
+    }
+
+    private static void CheckSide(int side, string name)
+    {
+        if (side is < 1 or > 1 << 20)
+        {
+            throw new ArgumentOutOfRangeException(name, side, "The sides of a texture must be in [1, 1048576] texels.");
+        }
+    }
 }

@@ -3,12 +3,24 @@ namespace LabRaytracer;
 /// <summary>Where a texture is asked for its colour.</summary>
 /// <param name="Coordinate">Texture coordinates after the slot's uv transform, v up; not yet wrapped. Meaningful if the texture needs them.</param>
 /// <param name="LocalPoint">The hit in the shape's unit form, object space. Meaningful if the texture needs it.</param>
+/// <param name="LocalNormal">Outward normal there, length 1. Meaningful if the texture needs the local point.</param>
 /// <param name="WrapU">Wrap in u that the mapping suggests.</param>
 /// <param name="WrapV">Wrap in v that the mapping suggests.</param>
 /// <remarks>Immutable, thread safe.</remarks>
 public readonly record struct TextureLookup(
-    TextureCoordinate Coordinate, Point3D LocalPoint = default, TextureWrap WrapU = TextureWrap.Repeat, TextureWrap WrapV = TextureWrap.Repeat)
+    TextureCoordinate Coordinate,
+    Point3D LocalPoint = default,
+    Vector3D LocalNormal = default,
+    TextureWrap WrapU = TextureWrap.Repeat,
+    TextureWrap WrapV = TextureWrap.Repeat)
 {
     /// <summary>A lookup by (u, v) alone.</summary>
+    /// <param name="u">Horizontal coordinate.</param>
+    /// <param name="v">Vertical coordinate, up.</param>
     public static TextureLookup At(double u, double v) => new(new TextureCoordinate(u, v));
+
+    /// <summary>A lookup by local point and normal alone, for 3D textures.</summary>
+    /// <param name="point">Local point.</param>
+    /// <param name="normal">Outward local normal, length 1.</param>
+    public static TextureLookup At(Point3D point, Vector3D normal = default) => new(default, point, normal);
 }

@@ -10,6 +10,6 @@ public enum TextureNeeds
     /// <summary>Texture coordinates (u, v): the mapping is evaluated.</summary>
     Coordinate = 1,
 
-    /// <summary>The local point (x, y, z): a 3D texture.</summary>
+    /// <summary>The local point (x, y, z) and its normal: a 3D texture.</summary>
     LocalPoint = 2,
 }

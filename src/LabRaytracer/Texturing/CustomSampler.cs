@@ -1,0 +1,24 @@
+namespace LabRaytracer;
+
+/// <summary>Looks up a texture that only knows one point at a time: a plain loop over the batch.</summary>
+internal sealed unsafe class CustomSampler(ITexture texture) : TextureSampler
+{
+    public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
+    {
+        bool needsCoordinate = (texture.Needs & TextureNeeds.Coordinate) != 0;
+        bool needsPoint = (texture.Needs & TextureNeeds.LocalPoint) != 0;
+        for (int i = 0; i < lookups.Count; i++)
+        {
+            TextureCoordinate coordinate = needsCoordinate
+                ? new(R.Take(lookups.Coordinates.U, i), R.Take(lookups.Coordinates.V, i))
+                : default;
+            Point3D point = needsPoint
+                ? new(R.Take(lookups.Positions.X, i), R.Take(lookups.Positions.Y, i), R.Take(lookups.Positions.Z, i))
+                : default;
+            Vector3D normal = needsPoint
+                ? new(R.Take(lookups.Positions.NormalX, i), R.Take(lookups.Positions.NormalY, i), R.Take(lookups.Positions.NormalZ, i))
+                : default;
+            colors.Put(i, texture.Sample(new TextureLookup(coordinate, point, normal, lookups.WrapU, lookups.WrapV)));
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Looks up packed texels, nearest or bilinear, many points at a time.</summary>
+/// <typeparam name="TReader">Reads the store's format.</typeparam>
+internal sealed unsafe class PictureSampler<TReader>(
+    TexelStore store, float[]? table, TReader reader, SamplingOptions options, TextureFilter filter) : TextureSampler
+    where TReader : struct, ITexelReader
+{
+    public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
+    {
+        TexelAxis across = new(store.Width, options.WrapU ?? lookups.WrapU, options.Texels);
+        TexelAxis up = new(store.Height, options.WrapV ?? lookups.WrapV, options.Texels);
+        R* u = lookups.Coordinates.U;
+        R* v = lookups.Coordinates.V;
+        if (filter == TextureFilter.Nearest)
+        {
+            for (int packet = 0; packet < packets; packet++)
+            {
+                R outside = Nearest(across, up, u[packet], v[packet], out F red, out F green, out F blue);
+                Store<R, F, I>(colors, packet, outside, red, green, blue);
+            }
+        }
+        else
+        {
+            for (int packet = 0; packet < packets; packet++)
+            {
+                R outside = Bilinear(across, up, u[packet], v[packet], out F red, out F green, out F blue);
+                Store<R, F, I>(colors, packet, outside, red, green, blue);
+            }
+        }
+
+        // Pinned memory must not be collected while the reader holds raw addresses into it.
+        GC.KeepAlive(store);
+        GC.KeepAlive(table);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private R Nearest<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, out F red, out F green, out F blue)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        R outside = across.Nearest<R, F, I>(u, out I x) | up.Nearest<R, F, I>(v, out I y);
+        reader.Read(Row(y) + x, out red, out green, out blue);
+        return outside;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private R Bilinear<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, out F red, out F green, out F blue)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        R outside = across.Between(u, out I x0, out I x1, out F right) | up.Between(v, out I y0, out I y1, out F above);
+        I row0 = Row(y0), row1 = Row(y1);
+        Between(row0 + x0, row0 + x1, right, out F red0, out F green0, out F blue0);
+        Between(row1 + x0, row1 + x1, right, out F red1, out F green1, out F blue1);
+        red = F.Fma(above, red1 - red0, red0);
+        green = F.Fma(above, green1 - green0, green0);
+        blue = F.Fma(above, blue1 - blue0, blue0);
+        return outside;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Between<F, I>(I first, I second, F weight, out F red, out F green, out F blue)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        reader.Read(first, out F red0, out F green0, out F blue0);
+        reader.Read(second, out F red1, out F green1, out F blue1);
+        red = F.Fma(weight, red1 - red0, red0);
+        green = F.Fma(weight, green1 - green0, green0);
+        blue = F.Fma(weight, blue1 - blue0, blue0);
+    }
+
+    /// <summary>Element number of the first texel of a row; rows go up, the store's go down.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private I Row<I>(I y)
+        where I : unmanaged, IIndexLane<I> => I.Of(store.Start) - (y * I.Of(store.Width));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Store<R, F, I>(in ColorColumns<F> colors, int packet, R outside, F red, F green, F blue)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        F inside = ~R.MaskToSingle(outside);
+        colors.R[packet] = red & inside;
+        colors.G[packet] = green & inside;
+        colors.B[packet] = blue & inside;
+    }
+}

@@ -1,0 +1,48 @@
+using System.Runtime.InteropServices;
+
+namespace LabRaytracer;
+
+/// <summary>Chooses how packed texels are read.</summary>
+internal static unsafe class PictureSamplers
+{
+    /// <summary>The sampler of a store.</summary>
+    /// <param name="store">Packed texels.</param>
+    /// <param name="isData">True in slots of numbers.</param>
+    /// <param name="options">How the texture is looked up.</param>
+    /// <param name="filter">Filter, overrides the options' one.</param>
+    public static TextureSampler Create(TexelStore store, bool isData, SamplingOptions options, TextureFilter filter)
+    {
+        TransferFunction transfer = Transfer(store, isData, options.ColorSpace);
+        return store.Pixels.Format switch
+        {
+            PixelFormat.Rgba8 when transfer.IsLinear =>
+                new PictureSampler<Linear8Reader>(store, null, new Linear8Reader((int*)store.Samples), options, filter),
+            PixelFormat.Rgba8 => WithTable(store, transfer, (texels, table) => new Table8Reader((int*)texels, (float*)table), options, filter),
+            PixelFormat.Rgba16 => WithTable(store, transfer, (texels, table) => new Table16Reader((int*)texels, (float*)table), options, filter),
+            _ => new PictureSampler<FloatReader>(store, null, new FloatReader((float*)store.Samples), options, filter),
+        };
+    }
+
+    /// <summary>Linear light of every code; empty for float samples.</summary>
+    public static ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData, ColorSpace colorSpace) => store.Pixels.Format == PixelFormat.RgbaFloat
+        ? default
+        : ColorEncoding.DecodeTable(Transfer(store, isData, colorSpace), store.Pixels.Format);
+
+    private static TransferFunction Transfer(TexelStore store, bool isData, ColorSpace colorSpace) => colorSpace switch
+    {
+        ColorSpace.Srgb => TransferFunction.Srgb,
+        ColorSpace.Linear => TransferFunction.Linear,
+        _ => isData ? TransferFunction.Linear : store.Pixels.Transfer,
+    };
+
+    private static PictureSampler<TReader> WithTable<TReader>(
+        TexelStore store, TransferFunction transfer, Func<nint, nint, TReader> reader, SamplingOptions options, TextureFilter filter)
+        where TReader : struct, ITexelReader
+    {
+        ReadOnlySpan<float> codes = ColorEncoding.DecodeTable(transfer, store.Pixels.Format);
+        float[] table = GC.AllocateUninitializedArray<float>(codes.Length, pinned: true);
+        codes.CopyTo(table);
+        nint address = Marshal.UnsafeAddrOfPinnedArrayElement(table, 0);
+        return new PictureSampler<TReader>(store, table, reader((nint)store.Samples, address), options, filter);
+    }
+}

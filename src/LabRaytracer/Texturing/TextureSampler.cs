@@ -1,0 +1,14 @@
+namespace LabRaytracer;
+
+/// <summary>A texture made ready for one render: looked up many points at a time.</summary>
+internal abstract unsafe class TextureSampler
+{
+    /// <summary>Colours of the first <paramref name="packets"/> groups of lanes.</summary>
+    /// <param name="lookups">Where.</param>
+    /// <param name="colors">Where the colours go.</param>
+    /// <param name="packets">Groups of lanes.</param>
+    public abstract void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>;
+}
