@@ -18,7 +18,7 @@ internal sealed unsafe class PictureSampler<TReader>(
         {
             for (int packet = 0; packet < packets; packet++)
             {
-                R outside = Nearest(across, up, u[packet], v[packet], out F red, out F green, out F blue);
+                R outside = Nearest<R, F, I>(across, up, u[packet], v[packet], out F red, out F green, out F blue);
                 Store<R, F, I>(colors, packet, outside, red, green, blue);
             }
         }
@@ -26,7 +26,7 @@ internal sealed unsafe class PictureSampler<TReader>(
         {
             for (int packet = 0; packet < packets; packet++)
             {
-                R outside = Bilinear(across, up, u[packet], v[packet], out F red, out F green, out F blue);
+                R outside = Bilinear<R, F, I>(across, up, u[packet], v[packet], out F red, out F green, out F blue);
                 Store<R, F, I>(colors, packet, outside, red, green, blue);
             }
         }
@@ -43,7 +43,7 @@ internal sealed unsafe class PictureSampler<TReader>(
         where I : unmanaged, IIndexLane<I>
     {
         R outside = across.Nearest<R, F, I>(u, out I x) | up.Nearest<R, F, I>(v, out I y);
-        reader.Read(Row(y) + x, out red, out green, out blue);
+        reader.Read<F, I>(Row(y) + x, out red, out green, out blue);
         return outside;
     }
 
@@ -53,10 +53,10 @@ internal sealed unsafe class PictureSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        R outside = across.Between(u, out I x0, out I x1, out F right) | up.Between(v, out I y0, out I y1, out F above);
+        R outside = across.Between<R, F, I>(u, out I x0, out I x1, out F right) | up.Between<R, F, I>(v, out I y0, out I y1, out F above);
         I row0 = Row(y0), row1 = Row(y1);
-        Between(row0 + x0, row0 + x1, right, out F red0, out F green0, out F blue0);
-        Between(row1 + x0, row1 + x1, right, out F red1, out F green1, out F blue1);
+        Between<F, I>(row0 + x0, row0 + x1, right, out F red0, out F green0, out F blue0);
+        Between<F, I>(row1 + x0, row1 + x1, right, out F red1, out F green1, out F blue1);
         red = F.Fma(above, red1 - red0, red0);
         green = F.Fma(above, green1 - green0, green0);
         blue = F.Fma(above, blue1 - blue0, blue0);
@@ -68,8 +68,8 @@ internal sealed unsafe class PictureSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        reader.Read(first, out F red0, out F green0, out F blue0);
-        reader.Read(second, out F red1, out F green1, out F blue1);
+        reader.Read<F, I>(first, out F red0, out F green0, out F blue0);
+        reader.Read<F, I>(second, out F red1, out F green1, out F blue1);
         red = F.Fma(weight, red1 - red0, red0);
         green = F.Fma(weight, green1 - green0, green0);
         blue = F.Fma(weight, blue1 - blue0, blue0);

@@ -116,7 +116,7 @@ public sealed class Texture : IPreparedTexture
             return Double1.Any(off) ? Intensity.Black : Texel(x.Value, y.Value);
         }
 
-        Double1 outside = across.Between(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between(v, out Int1 y0, out Int1 y1, out Float1 above);
+        Double1 outside = across.Between<Double1, Float1, Int1>(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between<Double1, Float1, Int1>(v, out Int1 y0, out Int1 y1, out Float1 above);
         Intensity below = Between(Texel(x0.Value, y0.Value), Texel(x1.Value, y0.Value), right.Value);
         Intensity top = Between(Texel(x0.Value, y1.Value), Texel(x1.Value, y1.Value), right.Value);
         return Double1.Any(outside) ? Intensity.Black : Between(below, top, above.Value);
