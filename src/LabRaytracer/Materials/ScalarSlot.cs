@@ -65,6 +65,6 @@ public sealed class ScalarSlot
             BlendMode.Add => Value + t,
             _ => Value + ((t - Value) * 0.5f),
         };
-        return Value + ((blended - Value) * Amount);
+        return Amount == 1 ? blended : Value + ((blended - Value) * Amount);
     }
 }

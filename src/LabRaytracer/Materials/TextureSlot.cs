@@ -3,7 +3,7 @@ namespace LabRaytracer;
 /// <summary>A colour coefficient of a material: a value, optionally modulated by a texture.</summary>
 /// <remarks>
 /// <para>Lab sheet IV, section 1.1: the texture belongs to the material and modulates one of its coefficients:
-/// k' = lerp(k, blend(k, T), amount).</para>
+/// k' = lerp(k, blend(k, T), amount), exactly blend(k, T) for amount 1.</para>
 /// <para>Immutable, thread safe. A colour or a picture converts by itself: <c>Diffuse = Texture.Load("earth.png")</c>.</para>
 /// </remarks>
 public sealed class TextureSlot
@@ -63,6 +63,6 @@ public sealed class TextureSlot
             BlendMode.Add => Value + texel,
             _ => Intensity.Lerp(Value, texel, 0.5f),
         };
-        return Intensity.Lerp(Value, blended, Amount);
+        return Amount == 1 ? blended : Intensity.Lerp(Value, blended, Amount);
     }
 }

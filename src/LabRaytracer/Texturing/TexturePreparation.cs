@@ -1,0 +1,49 @@
+namespace LabRaytracer;
+
+/// <summary>Makes the textures of one render ready: each once, those that are used and no others.</summary>
+/// <param name="filter">Filter that overrides the textures' own, or null.</param>
+internal sealed class TexturePreparation(TextureFilter? filter)
+{
+    private readonly Dictionary<(ITexture Texture, bool IsData), TextureSampler> _samplers = [];
+
+    /// <summary>Number of textures made ready.</summary>
+    public int Count => _samplers.Count;
+
+    /// <summary>Decodes files and packs texels of several textures at once, so that later calls find them.</summary>
+    /// <param name="uses">Textures and whether they are data.</param>
+    /// <param name="threads">Threads, at least 1.</param>
+    public void PrepareAll(IEnumerable<(ITexture Texture, bool IsData)> uses, int threads)
+    {
+        (ITexture Texture, bool IsData)[] open = [.. uses.Distinct().Where(use => use.Texture.Needs != TextureNeeds.None && !_samplers.ContainsKey(use))];
+        TextureSampler[] ready = new TextureSampler[open.Length];
+        try
+        {
+            Parallel.For(0, open.Length, new ParallelOptions { MaxDegreeOfParallelism = threads }, i => ready[i] = Create(open[i].Texture, open[i].IsData));
+        }
+        catch (AggregateException failure)
+        {
+            // The first failed texture in the scene's order, so that the message does not depend on timing.
+            throw failure.Flatten().InnerExceptions[0];
+        }
+
+        for (int i = 0; i < open.Length; i++)
+        {
+            _samplers[open[i]] = ready[i];
+        }
+    }
+
+    /// <summary>The texture made ready.</summary>
+    public TextureSampler Prepare(ITexture texture, bool isData)
+    {
+        if (!_samplers.TryGetValue((texture, isData), out TextureSampler? sampler))
+        {
+            sampler = Create(texture, isData);
+            _samplers[(texture, isData)] = sampler;
+        }
+
+        return sampler;
+    }
+
+    private TextureSampler Create(ITexture texture, bool isData) =>
+        texture is IPreparedTexture prepared ? prepared.Prepare(isData, filter) : new CustomSampler(texture);
+}
