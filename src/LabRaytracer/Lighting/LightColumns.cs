@@ -1,0 +1,28 @@
+namespace LabRaytracer;
+
+/// <summary>Columns of <see cref="LightSample"/>: the light of one lamp that arrives at many points.</summary>
+/// <typeparam name="R">Lane type of geometry.</typeparam>
+/// <typeparam name="F">Float lanes of the same width.</typeparam>
+internal unsafe struct LightColumns<R, F>
+    where R : unmanaged, IReal<R>
+    where F : unmanaged, IReal<F>
+{
+    /// <summary>Towards the lamp, world space, length 1.</summary>
+    public R* DirectionX, DirectionY, DirectionZ;
+
+    /// <summary>Distance of the lamp; infinite for directional light.</summary>
+    public R* Distance;
+
+    /// <summary>Light that arrives, linear; 0 where none does.</summary>
+    public ColorColumns<F> Intensity;
+
+    /// <summary>New columns.</summary>
+    public LightColumns(LaneMemory memory, int capacity)
+    {
+        DirectionX = memory.Column<R>(capacity, R.Width);
+        DirectionY = memory.Column<R>(capacity, R.Width);
+        DirectionZ = memory.Column<R>(capacity, R.Width);
+        Distance = memory.Column<R>(capacity, R.Width);
+        Intensity = new ColorColumns<F>(memory, capacity);
+    }
+}

@@ -1,0 +1,54 @@
+namespace LabRaytracer;
+
+/// <summary>What a render did, and what it did not have to do.</summary>
+/// <remarks>Counts are sums over all threads; stage times too, so that they add up to threads x wall time.</remarks>
+public sealed class RenderStatistics
+{
+    /// <summary>Wall time of making the scene ready (textures decoded, shapes packed, trees built), seconds.</summary>
+    public double PrepareSeconds { get; internal set; }
+
+    /// <summary>Wall time of rendering proper, seconds.</summary>
+    public double RenderSeconds { get; internal set; }
+
+    /// <summary>Rays from the camera.</summary>
+    public long PrimaryRays { get; internal set; }
+
+    /// <summary>Reflected and refracted rays.</summary>
+    public long SecondaryRays { get; internal set; }
+
+    /// <summary>Shadow rays followed.</summary>
+    public long ShadowRays { get; internal set; }
+
+    /// <summary>Shadow rays not followed because the surface faces away from the lamp, or no light arrives.</summary>
+    public long ShadowRaysSkipped { get; internal set; }
+
+    /// <summary>Reflected or refracted rays not followed because their weight cannot change the picture.</summary>
+    public long SecondaryRaysSkipped { get; internal set; }
+
+    /// <summary>Evaluations of mappings, one a hit and distinct mapping.</summary>
+    public long Mappings { get; internal set; }
+
+    /// <summary>Lookups of textures, one a hit and distinct texture.</summary>
+    public long TextureLookups { get; internal set; }
+
+    /// <summary>Slot values that were constant, so that neither mapping nor texture was evaluated.</summary>
+    public long ConstantSlots { get; internal set; }
+
+    /// <summary>Textures that the scene uses, made ready.</summary>
+    public int Textures { get; internal set; }
+
+    /// <summary>Pixels that came out NaN or infinite and were set to black.</summary>
+    public long NotFinitePixels { get; internal set; }
+
+    /// <summary>The first such pixel in row order, or null.</summary>
+    public (int X, int Y)? FirstNotFinitePixel { get; internal set; }
+
+    /// <summary>Seconds by stage, summed over threads.</summary>
+    public IReadOnlyDictionary<string, double> StageSeconds { get; internal set; } = new Dictionary<string, double>();
+
+    /// <summary>Bytes of packed shapes and search trees.</summary>
+    public long GeometryBytes { get; internal set; }
+
+    /// <summary>Vector width that was used: floats computed at once.</summary>
+    public int LaneWidth { get; internal set; }
+}

@@ -1,0 +1,43 @@
+namespace LabRaytracer;
+
+/// <summary>Where samples lie in their pixels: from (seed, pixel, sample) alone, so that any pixel can be repeated by itself.</summary>
+internal static class SampleOffsets
+{
+    /// <summary>Position of a sample of an n x n grid along one axis, [0, 1).</summary>
+    /// <param name="options">Pattern, number of samples, seed.</param>
+    /// <param name="pixelX">Column in the whole picture.</param>
+    /// <param name="pixelY">Row in the whole picture.</param>
+    /// <param name="sample">Number of the sample.</param>
+    /// <param name="axis">0 for x, 1 for y.</param>
+    public static double Jittered(RenderOptions options, int pixelX, int pixelY, int sample, int axis)
+    {
+        int side = Side(options);
+        int cell = axis == 0 ? sample % side : sample / side;
+        return (cell + Random(options.Seed, pixelX, pixelY, (2 * sample) + axis)) / side;
+    }
+
+    /// <summary>Position of a sample of the regular pattern along one axis, (0, 1).</summary>
+    public static double Regular(RenderOptions options, int sample, int axis)
+    {
+        int side = Side(options);
+        return ((axis == 0 ? sample % side : sample / side) + 0.5) / side;
+    }
+
+    private static int Side(RenderOptions options) => (int)Math.Round(Math.Sqrt(options.Samples));
+
+    /// <summary>A number in [0, 1) from a hash of its arguments (the finaliser of SplitMix64, Steele, Lea and Flood 2014).</summary>
+    private static double Random(int seed, int x, int y, int dimension)
+    {
+        ulong state = Mix(((ulong)(uint)seed << 32) | (uint)dimension);
+        state = Mix(state ^ (((ulong)(uint)x << 32) | (uint)y));
+        return (state >> 11) * (1.0 / (1UL << 53));
+    }
+
+    private static ulong Mix(ulong z)
+    {
+        z += 0x9E3779B97F4A7C15;
+        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+        z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+        return z ^ (z >> 31);
+    }
+}

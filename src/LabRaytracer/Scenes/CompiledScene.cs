@@ -1,0 +1,120 @@
+namespace LabRaytracer;
+
+/// <summary>A scene frozen for rendering: shapes packed by class, materials reduced to needs, textures ready.</summary>
+/// <typeparam name="R">Lane type of geometry.</typeparam>
+/// <typeparam name="F">Float lanes of the same width.</typeparam>
+/// <typeparam name="I">Integer lanes of the same width.</typeparam>
+/// <remarks>Immutable after construction, thread safe.</remarks>
+internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    private readonly LaneMemory _memory = new();
+    private readonly List<ShapeGroup<R, F, I>> _groups = [];
+    private readonly int* _memberOfObject;
+    private readonly int* _keyOfObject;
+    private readonly ObjectSearch<R, F, I> _all;
+    private readonly ObjectSearch<R, F, I> _casters;
+
+    /// <summary>Freezes a scene.</summary>
+    /// <param name="scene">The scene; it must not be edited while this object is in use.</param>
+    /// <param name="options">How it is rendered.</param>
+    public CompiledScene(Scene scene, RenderOptions options)
+    {
+        Camera = scene.Camera;
+        Textures = new TexturePreparation(options.Filter);
+        Textures.PrepareAll(SceneTextures.Used(scene), options.Threads);
+        Background = new CompiledMaterial(new Material { Emission = scene.Background, Diffuse = Intensity.Black, Shader = LambertShader.Default }, new SphericalMapping(), Textures);
+        int count = scene.Objects.Count;
+        _memberOfObject = _memory.Column<int>(Math.Max(1, count), 1);
+        _keyOfObject = _memory.Column<int>(Math.Max(1, count), 1);
+        List<ObjectEntry<R, F, I>> entries = Pack(scene);
+        foreach (ShapeGroup<R, F, I> group in _groups)
+        {
+            group.Freeze(_memory, options.Threads);
+        }
+
+        _all = new ObjectSearch<R, F, I>(entries, _memory, options.Threads);
+        _casters = scene.Objects.All(o => o.CastsShadows)
+            ? _all
+            : new ObjectSearch<R, F, I>([.. entries.Where(entry => scene.Objects[entry.Number].CastsShadows)], _memory, options.Threads);
+        Lights = [.. scene.Lights.Where(light => light is not AmbientLight)];
+        foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
+        {
+            Ambient += light.Intensity;
+        }
+    }
+
+    /// <summary>The camera.</summary>
+    public Camera Camera { get; }
+
+    /// <summary>The textures that are in use.</summary>
+    public TexturePreparation Textures { get; }
+
+    /// <summary>What rays see that hit nothing: a material with emission only, mapped by direction.</summary>
+    public CompiledMaterial Background { get; }
+
+    /// <summary>Lamps with a direction.</summary>
+    public IReadOnlyList<Light> Lights { get; }
+
+    /// <summary>Sum of all ambient light.</summary>
+    public Intensity Ambient { get; }
+
+    /// <summary>Distinct pairs of shape class and material: hits are grouped by them.</summary>
+    public List<ShadingKey<R, F, I>> Keys { get; } = [];
+
+    /// <summary>Bytes of packed shapes and what searches them.</summary>
+    public long Bytes => _memory.Bytes;
+
+    /// <summary>The member number of each object in its group.</summary>
+    public int* MemberOfObject => _memberOfObject;
+
+    /// <summary>The number of an object's key.</summary>
+    public int KeyOf(int number) => _keyOfObject[number];
+
+    /// <summary>Finds the nearest hit of every ray.</summary>
+    public void Nearest(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits)
+    {
+        hits.Clear(rays);
+        _all.Nearest(rays, hits);
+    }
+
+    /// <summary>Turns off the rays that something blocks before their limit.</summary>
+    public void Block(RayBatch<R, F, I> rays) => _casters.Block(rays);
+
+    public void Dispose() => _memory.Dispose();
+
+    private List<ObjectEntry<R, F, I>> Pack(Scene scene)
+    {
+        Dictionary<(Type Shape, bool IsIdentity), ShapeGroup<R, F, I>> groups = [];
+        Dictionary<(ShapeGroup<R, F, I> Group, Material Material, IMapping Mapping), int> keys = [];
+        List<ObjectEntry<R, F, I>> entries = [];
+        for (int number = 0; number < scene.Objects.Count; number++)
+        {
+            SceneObject item = scene.Objects[number];
+            (Type, bool) kind = (item.Shape.GetType(), item.Transform.IsIdentity);
+            if (!groups.TryGetValue(kind, out ShapeGroup<R, F, I>? group))
+            {
+                group = item.Shape.CreateGroup<R, F, I>(item.Transform);
+                groups[kind] = group;
+                _groups.Add(group);
+            }
+
+            int member = group.Add(item.Shape, item.Transform, number);
+            entries.Add(new ObjectEntry<R, F, I>(number, group, member, item.Shape.Bounds.Transformed(item.Transform)));
+            IMapping mapping = item.Shape.DefaultMapping;
+            if (!keys.TryGetValue((group, item.Material, mapping), out int key))
+            {
+                key = Keys.Count;
+                keys[(group, item.Material, mapping)] = key;
+                Keys.Add(new ShadingKey<R, F, I>(group, new CompiledMaterial(item.Material, mapping, Textures)));
+            }
+
+            _memberOfObject[number] = member;
+            _keyOfObject[number] = key;
+        }
+
+        return entries;
+    }
+}
