@@ -33,7 +33,7 @@ public sealed class InfinitePlane : Shape
 
         Point = point;
         Normal = normal.Normalized();
-        (LocalX, LocalZ) = Frame(Normal);
+        (LocalX, LocalZ) = PlaneAxes.Of(Normal);
     }
 
     /// <summary>A point of the plane, object space: the origin of its local frame.</summary>
@@ -62,17 +62,4 @@ public sealed class InfinitePlane : Shape
     public override SurfacePoint SurfaceAt(in Ray ray, in Hit hit) => ScalarKernel<PlaneKernel>.SurfaceAt(this, ray, hit);
 
     internal override ShapeGroup<R, F, I> CreateGroup<R, F, I>(Transform transform) => KernelGroups.Create<PlaneKernel, R, F, I>(transform);
-
-    /// <summary>The axes x and z of a right-handed frame whose y axis is the normal; exactly +X and +Z for +Y.</summary>
-    private static (Vector3D X, Vector3D Z) Frame(Vector3D normal)
-    {
-        if (normal == Vector3D.UnitY)
-        {
-            return (Vector3D.UnitX, Vector3D.UnitZ);
-        }
-
-        Vector3D aside = Math.Abs(normal.Z) < 0.9 ? Vector3D.UnitZ : Vector3D.UnitX;
-        Vector3D x = Vector3D.Cross(normal, aside).Normalized();
-        return (x, Vector3D.Cross(x, normal).Normalized());
-    }
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>The formulas of <see cref="Sphere"/>: centre x, y, z and radius.</summary>
@@ -17,45 +19,41 @@ internal readonly struct SphereKernel : IShapeKernel
     }
 
     /// <remarks>
-    /// The ray is cut at its point nearest to the centre: the discriminant r^2 - l^2 then does not cancel against the distance
+    /// The ray is cut at its point l nearest to the centre: the discriminant r^2 - l^2 then does not cancel against the distance
     /// (Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019).
+    /// Decisions are right unless the ray passes the silhouette within a few ulp of the radius.
     /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        R radius = shape[Radius];
-        Reorigin(shape, ray, out R k, out R lx, out R ly, out R lz, out R lengthSquared);
-        R distanceSquared = Lane.Dot(lx, ly, lz, lx, ly, lz);
-        R discriminant = R.Fma(radius, radius, -distanceSquared);
-        R half = R.Sqrt(R.Max(discriminant / lengthSquared, R.Zero));
-        R near = k - half;
-        R far = k + half;
+        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        R discriminant = HalfChord(centred, shape[Radius], out R step, out R half);
+        R near = centred.K + (step - half);
+        R far = centred.K + (step + half);
         t = R.Select(R.Less(R.Zero, near), near, far);
-        return R.LessOrEqual(R.Zero, discriminant) & R.Less(R.Zero, t);
+        return R.LessOrEqual(R.Zero, discriminant) & R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
     }
 
     /// <remarks>
     /// The local point is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
+    /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
     /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius];
-        Reorigin(shape, ray, out R k, out R lx, out R ly, out R lz, out R lengthSquared);
-
-        // A second step removes what the first one's rounding left along the ray.
-        R again = -Lane.Dot(lx, ly, lz, ray.DirectionX, ray.DirectionY, ray.DirectionZ) / lengthSquared;
-        lx = R.Fma(again, ray.DirectionX, lx);
-        ly = R.Fma(again, ray.DirectionY, ly);
-        lz = R.Fma(again, ray.DirectionZ, lz);
-        R distance = R.Sqrt(Lane.Dot(lx, ly, lz, lx, ly, lz));
-        R half = R.Sqrt(R.Max((radius - distance) * (radius + distance), R.Zero) / lengthSquared);
-        half = R.Select(R.Less(t, k), -half, half);
-        R x = R.Fma(half, ray.DirectionX, lx);
-        R y = R.Fma(half, ray.DirectionY, ly);
-        R z = R.Fma(half, ray.DirectionZ, lz);
+        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        HalfChord(centred, radius, out R step, out R half);
+        R nearIsAhead = R.Less(R.Zero, centred.K + (step - half));
+        R isNear = nearIsAhead & R.LessOrEqual(t, centred.K + step);
+        R along = step + R.Select(isNear, -half, half);
+        R x = R.Fma(along, centred.DirectionX, centred.X);
+        R y = R.Fma(along, centred.DirectionY, centred.Y);
+        R z = R.Fma(along, centred.DirectionZ, centred.Z);
         R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z));
         s = default;
         s.LocalX = x * toUnit;
@@ -70,18 +68,17 @@ internal readonly struct SphereKernel : IShapeKernel
         s.Slack = Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + radius);
     }
 
-    /// <summary>The ray's point nearest to the centre, relative to the centre: l = o - c + k d with l perpendicular to d.</summary>
-    private static void Reorigin<R, P>(in P shape, in RayLanes<R> ray, out R k, out R lx, out R ly, out R lz, out R lengthSquared)
+    /// <summary>Half the chord in units of the direction (0 for a miss) around l + step d; returns the squared half chord in object units, below 0 for a miss.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R HalfChord<R>(in CentredRay<R> ray, R radius, out R step, out R half)
         where R : unmanaged, IReal<R>
-        where P : struct, IParameters<R>
     {
-        R fx = ray.OriginX - shape[CenterX];
-        R fy = ray.OriginY - shape[CenterY];
-        R fz = ray.OriginZ - shape[CenterZ];
-        lengthSquared = Lane.Dot(ray.DirectionX, ray.DirectionY, ray.DirectionZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
-        k = -Lane.Dot(fx, fy, fz, ray.DirectionX, ray.DirectionY, ray.DirectionZ) / lengthSquared;
-        lx = R.Fma(k, ray.DirectionX, fx);
-        ly = R.Fma(k, ray.DirectionY, fy);
-        lz = R.Fma(k, ray.DirectionZ, fz);
+        // The step to the point that is nearest even after rounding; its square is what l^2 is too long by.
+        R along = Lane.Dot(ray.X, ray.Y, ray.Z, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
+        step = -along * ray.InverseLengthSquared;
+        R distanceSquared = R.Fma(step, along, Lane.Dot(ray.X, ray.Y, ray.Z, ray.X, ray.Y, ray.Z));
+        R discriminant = R.Fma(radius, radius, -distanceSquared);
+        half = R.Sqrt(R.Max(discriminant * ray.InverseLengthSquared, R.Zero));
+        return discriminant;
     }
 }

@@ -19,11 +19,13 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
         K.Describe(shape, Transform.Identity, numbers[Own..]);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> =>
         K.Intersect(new OffsetParameters<R, P>(shape, Own), ToObject<R, P>(shape, ray), out t);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -35,6 +37,7 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
         (s.ShadingX, s.ShadingY, s.ShadingZ) = WorldNormal(shape, s.ShadingX, s.ShadingY, s.ShadingZ);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static RayLanes<R> ToObject<R, P>(in P shape, in RayLanes<R> ray)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -53,6 +56,7 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
             R.Fma(m[at + 8], x, R.Fma(m[at + 9], y, R.Fma(m[at + 10], z, m[at + 11] * w))));
 
     /// <summary>Normals map with the inverse transpose: the columns of the matrix world to object.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static (R X, R Y, R Z) WorldNormal<R, P>(in P m, R x, R y, R z)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -65,6 +69,7 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
     }
 
     /// <summary>The object-space slack and the rounding of the transform, through the absolute values of the matrix.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static R WorldSlack<R, P>(in P m, in SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
