@@ -125,7 +125,7 @@ public sealed class HdrCodec : IPictureCodec
         rgbe.Clear();
         ReadOnlySpan<float> components = [Finite(light.R), Finite(light.G), Finite(light.B)];
         float max = Math.Max(components[0], Math.Max(components[1], components[2]));
-        if (max < 1e-38f)
+        if (max == 0)
         {
             return;
         }
@@ -136,8 +136,8 @@ public sealed class HdrCodec : IPictureCodec
             exponent++;
         }
 
-        // The format ends just below 2^127.
-        exponent = Math.Min(exponent, 127);
+        // The exponent is stored in one byte, 1..255: light below 2^-136 becomes 0, light above 255 * 2^119 that value.
+        exponent = Math.Clamp(exponent, -127, 127);
         for (int c = 0; c < 3; c++)
         {
             rgbe[c] = (byte)Math.Min(255, Math.Floor(Math.ScaleB((double)components[c], 8 - exponent) + 0.5));

@@ -15,34 +15,44 @@ internal static class NetpbmText
             : throw input.Bad($"'{word}' stands where a whole number is needed");
     }
 
-    /// <summary>Characters up to the next white space, which is taken too; spaces and comments before them are skipped.</summary>
+    /// <summary>Characters up to the next white space, which is taken too; white space before them is skipped, a comment counts as its line's end.</summary>
     public static string ReadWord(PictureInput input)
     {
-        byte next = input.ReadByte();
-        while (IsSpace(next) || next == '#')
+        int next = NextCharacter(input);
+        while (next >= 0 && IsSpace((byte)next))
         {
-            for (bool comment = next == '#'; comment && next is not ((byte)'\n' or (byte)'\r');)
-            {
-                next = input.ReadByte();
-            }
-
-            next = input.ReadByte();
+            next = NextCharacter(input);
         }
 
         StringBuilder word = new();
-        for (int c = next; c >= 0 && !IsSpace((byte)c); c = input.TryReadByte())
+        for (; next >= 0 && !IsSpace((byte)next); next = NextCharacter(input))
         {
-            if (c is <= ' ' or > '~' || word.Length == 20)
+            if (next is <= ' ' or > '~' || word.Length == 20)
             {
                 throw input.Bad("there is something other than a number in the header or the samples");
             }
 
-            word.Append((char)c);
+            word.Append((char)next);
         }
 
-        return word.ToString();
+        return word.Length > 0 ? word.ToString() : throw input.Bad("the file ends too early");
     }
 
     /// <summary>White space of C: blank, tab, line feed, vertical tab, form feed, carriage return.</summary>
     public static bool IsSpace(byte c) => c is (byte)' ' or (>= 9 and <= 13);
+
+    /// <summary>The next character; a comment, from # to the end of its line, is read as that end. -1 at the end of the file.</summary>
+    private static int NextCharacter(PictureInput input)
+    {
+        int next = input.TryReadByte();
+        if (next == '#')
+        {
+            while (next is not ('\n' or '\r' or -1))
+            {
+                next = input.TryReadByte();
+            }
+        }
+
+        return next;
+    }
 }

@@ -8,10 +8,10 @@ public sealed class PictureFormatException : Exception
     /// <param name="reason">What is wrong, without the file's name.</param>
     /// <param name="innerException">What was thrown underneath, if anything.</param>
     public PictureFormatException(string path, string reason, Exception? innerException = null)
-        : base($"Cannot read picture '{path}': {reason}.", innerException)
+        : base($"Cannot read picture '{OneLine(path)}': {OneLine(reason)}.", innerException)
     {
         Path = path;
-        Reason = reason;
+        Reason = OneLine(reason);
     }
 
     /// <summary>The file, as the caller named it.</summary>
@@ -19,4 +19,7 @@ public sealed class PictureFormatException : Exception
 
     /// <summary>What is wrong, without the file's name.</summary>
     public string Reason { get; }
+
+    /// <summary>Text out of a damaged file may hold anything: control characters would break the line or the terminal.</summary>
+    private static string OneLine(string text) => string.Concat((text ?? string.Empty).Select(c => char.IsControl(c) ? '?' : c));
 }

@@ -3,6 +3,9 @@ namespace LabRaytracer;
 /// <summary>The contents of consecutive IDAT chunks as one stream; at its end the chunks stand at the first other chunk.</summary>
 internal sealed class PngImageData(PngChunks chunks) : Stream
 {
+    /// <summary>Whether reading the file itself has failed, so that an I/O error is not a damaged picture.</summary>
+    public bool SourceFailed { get; private set; }
+
     /// <inheritdoc/>
     public override bool CanRead => true;
 
@@ -25,19 +28,15 @@ internal sealed class PngImageData(PngChunks chunks) : Stream
     /// <inheritdoc/>
     public override int Read(Span<byte> buffer)
     {
-        while (chunks.Type == "IDAT")
+        try
         {
-            int count = chunks.Read(buffer);
-            if (count > 0 || buffer.IsEmpty)
-            {
-                return count;
-            }
-
-            chunks.Finish();
-            chunks.Next();
+            return ReadChunks(buffer);
         }
-
-        return 0;
+        catch (IOException)
+        {
+            SourceFailed = true;
+            throw;
+        }
     }
 
     /// <inheritdoc/>
@@ -56,4 +55,21 @@ internal sealed class PngImageData(PngChunks chunks) : Stream
 
     /// <inheritdoc/>
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException("This stream is for reading.");
+
+    private int ReadChunks(Span<byte> buffer)
+    {
+        while (chunks.Type == "IDAT")
+        {
+            int count = chunks.Read(buffer);
+            if (count > 0 || buffer.IsEmpty)
+            {
+                return count;
+            }
+
+            chunks.Finish();
+            chunks.Next();
+        }
+
+        return 0;
+    }
 }

@@ -130,8 +130,9 @@ internal sealed class PngReader
                 throw chunks.Bad("there are more pixels than the size says");
             }
         }
-        catch (InvalidDataException damage)
+        catch (Exception damage) when (damage is InvalidDataException || (damage is IOException && !data.SourceFailed))
         {
+            // Damage to zlib's own header comes as an IOException of the framework.
             throw new PictureFormatException(name, "the compressed pixels are damaged or end too early", damage);
         }
 
