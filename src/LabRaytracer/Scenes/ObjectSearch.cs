@@ -6,24 +6,11 @@ internal sealed class ObjectSearch<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
-    /// <summary>Up to this many bounded objects a loop is faster than a tree.</summary>
-    private const int LoopLimit = 8;
-
     private readonly ObjectEntry<R, F, I>[] _loop;
-    private readonly SceneBvh<R, F, I>? _tree;
 
     public ObjectSearch(IReadOnlyList<ObjectEntry<R, F, I>> entries, LaneMemory memory, int threads)
     {
-        ObjectEntry<R, F, I>[] bounded = [.. entries.Where(entry => entry.Bounds.IsFinite)];
-        if (bounded.Length <= LoopLimit)
-        {
-            _loop = [.. entries];
-            return;
-        }
-
-        _loop = [.. entries.Where(entry => !entry.Bounds.IsFinite)];
-        _tree = new SceneBvh<R, F, I>(
-            [.. bounded.Select(entry => entry.Bounds)], [.. bounded.Select(entry => entry.Group)], [.. bounded.Select(entry => entry.Member)], memory, threads);
+        _loop = [.. entries];
     }
 
     /// <summary>Keeps the nearest hit of every ray.</summary>
@@ -33,8 +20,6 @@ internal sealed class ObjectSearch<R, F, I>
         {
             entry.Group.Nearest(entry.Member, rays, hits, 0, rays.Packets);
         }
-
-        _tree?.Nearest(rays, hits, 0, rays.Packets);
     }
 
     /// <summary>Turns off the rays that are blocked.</summary>
@@ -44,7 +29,5 @@ internal sealed class ObjectSearch<R, F, I>
         {
             entry.Group.Block(entry.Member, rays, 0, rays.Packets);
         }
-
-        _tree?.Block(rays, 0, rays.Packets);
     }
 }
