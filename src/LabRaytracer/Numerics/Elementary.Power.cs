@@ -71,7 +71,7 @@ internal static partial class Elementary
         // log2(m) = 2 atanh(q) / ln 2 with q = (m - 1) / (m + 1), carried in two parts.
         T numerator = m - one;
         T denominator = m + one;
-        T denominatorError = (m - denominator) + one;
+        T denominatorError = m - (denominator - one);
         T q = numerator / denominator;
         T qError = (T.Fma(-q, denominator, numerator) - (q * denominatorError)) / denominator;
         T s = q * q;
