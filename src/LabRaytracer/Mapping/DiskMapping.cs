@@ -14,7 +14,7 @@ namespace LabRaytracer;
 /// <item><term>(1, 0, 0)</term><description>(0.25, 1)</description></item>
 /// <item><term>(0, 0, -0.5)</term><description>(0.5, 0.5)</description></item>
 /// <item><term>(-0.25, 0, 0)</term><description>(0.75, 0.25)</description></item>
-/// <item><term>(0.375, 0, 0.5)</term><description>(0.1024163823495667, 0.625)</description></item>
+/// <item><term>(0.375, 0, 0.5)</term><description>(0.10241638234956672, 0.625)</description></item>
 /// </list>
 /// <para>Immutable, thread safe.</para>
 /// </remarks>

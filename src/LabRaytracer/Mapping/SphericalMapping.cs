@@ -26,12 +26,14 @@ public sealed class SphericalMapping : IWideMapping
 
     /// <summary>Texture coordinates of a point.</summary>
     /// <param name="localPoint">The point in object space; finite.</param>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public TextureCoordinate Map(Point3D localPoint) => PointFormulas.Map<Formula>(localPoint);
+    public TextureCoordinate Map(Point3D localPoint)
+    {
+        (double u, double v) = Elementary.SphereTurns(localPoint.X, localPoint.Y, localPoint.Z);
+        return new TextureCoordinate(u, v);
+    }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public TextureCoordinate Map(in SurfacePosition position) => PointFormulas.Map<Formula>(position.LocalPoint);
+    public TextureCoordinate Map(in SurfacePosition position) => Map(position.LocalPoint);
 
     void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
         PointFormulas.Map<Formula, R>(positions, coordinates, packets);

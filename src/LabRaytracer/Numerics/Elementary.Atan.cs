@@ -5,6 +5,12 @@ namespace LabRaytracer;
 /// <content>Angles of points, in turns.</content>
 internal static partial class Elementary
 {
+    // 2^-199, 2^400 and 2^-39, 2^60: between them squares and quotients neither overflow nor lose digits.
+    private const double LeastOrdinary = 1.2446030555722283e-60;
+    private const double MostOrdinary = 2.5822498780869086e120;
+    private const double LeastOrdinarySingle = 1.8189894035458565e-12;
+    private const double MostOrdinarySingle = 1152921504606846976;
+
     /// <summary>Azimuth of the point (x, y) of a plane: turns from the x axis towards the y axis, [0, 1); 0 at the origin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Atan2Turns<T>(T y, T x)
@@ -26,8 +32,8 @@ internal static partial class Elementary
         T ay = T.Abs(y);
         T az = T.Abs(z);
         T sum = ax + az;
-        T ordinary = T.LessOrEqual(Power<T>(-39, -199), sum)
-            & T.Less(sum + ay, Power<T>(60, 400));
+        T ordinary = T.LessOrEqual(T.Of(T.IsSingle ? LeastOrdinarySingle : LeastOrdinary), sum)
+            & T.Less(sum + ay, T.Of(T.IsSingle ? MostOrdinarySingle : MostOrdinary));
         if (!T.All(ordinary))
         {
             return SphereTurnsRescaled(x, y, z);
@@ -35,7 +41,7 @@ internal static partial class Elementary
 
         T larger = T.Max(ax, az);
         T smaller = T.Min(ax, az);
-        return (Azimuth(x, z, smaller, larger), Height(y, ay, Radius(smaller, larger)));
+        return (Azimuth(x, z, smaller, larger), Height(y, ay, Radius(smaller, larger, out T error), error));
     }
 
     /// <summary>Turns from +z towards +x, given the smaller and the larger of |x| and |z| (or both times a power of two).</summary>
@@ -48,39 +54,37 @@ internal static partial class Elementary
         T left = T.Less(x, T.Zero);
         T start = T.Select(nearX, T.Of(0.25), behind & T.Of(0.5));
         start = T.Select(left, T.Of(1) - start, start);
-        T turns = AddAtanTurns(start, nearX ^ behind ^ left, smaller, larger);
+        T steep = Reduce(smaller, larger, out T numerator, out T denominator, out T numeratorError, out T denominatorError);
+        T turns = AddAtanTurns(start, nearX ^ behind ^ left, steep, numerator, denominator, numeratorError, denominatorError);
         return T.Min(turns, BelowOne<T>());
     }
 
     /// <summary>Half turns from the south pole, given |y| and the distance from the axis (or both times a power of two).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static T Height<T>(T y, T height, T radius)
+    private static T Height<T>(T y, T height, T radius, T radiusError)
         where T : unmanaged, IReal<T>
     {
         T low = T.LessOrEqual(height, radius);
         T north = T.Less(T.Zero, y);
         T start = T.Select(low, T.Of(0.25), north & T.Of(0.5));
-        T turns = AddAtanTurns(start, north ^ low, T.Min(height, radius), T.Max(height, radius));
+        T steep = Reduce(T.Min(height, radius), T.Max(height, radius), out T numerator, out T denominator, out T numeratorError, out T denominatorError);
+        Correct(steep, low, radiusError, ref numeratorError, ref denominatorError);
+        T turns = AddAtanTurns(start, north ^ low, steep, numerator, denominator, numeratorError, denominatorError);
         return turns + turns;
     }
 
-    /// <summary>sqrt(smaller² + larger²); the caller keeps both squares in range.</summary>
+    /// <summary>sqrt(smaller² + larger²), and what the exact one has more; the caller keeps both squares in range.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static T Radius<T>(T smaller, T larger)
-        where T : unmanaged, IReal<T> => T.Sqrt(T.Fma(larger, larger, smaller * smaller));
-
-    /// <summary>start + atan(smaller / larger) / 2 pi, or minus where the mask says so; 0 &lt;= smaller &lt;= larger, larger above 0.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static T AddAtanTurns<T>(T start, T minus, T smaller, T larger)
+    private static T Radius<T>(T smaller, T larger, out T error)
         where T : unmanaged, IReal<T>
     {
-        // Above pi/8: atan(q) = pi/4 + atan((q - 1) / (q + 1)).
-        T steep = T.Less(larger * T.Of(0.41421356237309503), smaller);
-        T q = T.Select(steep, smaller - larger, smaller) / T.Select(steep, smaller + larger, larger);
-        T s = q * q;
-        T series = T.Fma(s, T.IsSingle ? AtanTailSingle(s) : AtanTailDouble(s), T.Of(1 / Math.Tau));
-        T turns = T.Fma(q, series, steep & T.Of(0.125));
-        return start + (turns ^ (minus & T.Of(-0.0)));
+        T large = larger * larger;
+        T small = smaller * smaller;
+        T sum = large + small;
+        T rest = (small - (sum - large)) + (T.Fma(larger, larger, -large) + T.Fma(smaller, smaller, -small));
+        T radius = T.Sqrt(sum);
+        error = (T.Fma(-radius, radius, sum) + rest) / (radius + radius);
+        return radius;
     }
 
     /// <summary>Distance of (x, z) from the origin, without overflow or underflow on the way.</summary>
@@ -96,7 +100,8 @@ internal static partial class Elementary
         T one = T.Of(1);
         T scale = T.Select(huge, Power<T>(-100, -600), T.Select(tiny, Power<T>(100, 600), one));
         T back = T.Select(huge, Power<T>(100, 600), T.Select(tiny, Power<T>(-100, -600), one));
-        return Radius(T.Min(ax, az) * scale, larger * scale) * back;
+        T radius = Radius(T.Min(ax, az) * scale, larger * scale, out _);
+        return radius * back;
     }
 
     /// <summary>The same for any input: lanes out of the ordinary are scaled by powers of two first.</summary>
@@ -115,8 +120,10 @@ internal static partial class Elementary
 
         T origin = onAxis & T.Equal(ay, T.Zero);
         RadiusScales(larger, ay, out T squares, out T radiusScale, out T heightScale, out T undo);
-        T radius = Radius(smaller * squares, larger * squares) * radiusScale;
-        T height = Height(y, ay * heightScale, T.Select(origin, T.Of(1), radius));
+        T radius = Radius(smaller * squares, T.Select(onAxis, T.Of(1), larger * squares), out T error);
+        radius = T.Select(onAxis, origin & T.Of(1), radius * radiusScale);
+        error = T.Select(onAxis, T.Zero, error * radiusScale);
+        T height = Height(y, ay * heightScale, radius, error);
         return (azimuth, T.Select(T.Less(y, T.Zero), height * undo, height));
     }
 }

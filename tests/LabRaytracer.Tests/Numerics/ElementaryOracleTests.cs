@@ -10,7 +10,7 @@ public sealed class ElementaryOracleTests(ITestOutputHelper output)
     [InlineData("cos", 1.5)]
     [InlineData("exp2", 1.5)]
     [InlineData("log2", 1.5)]
-    [InlineData("pow", 32)]
+    [InlineData("pow", 24)]
     public void Function_OracleRowsDouble_WithinBound(string name, double bound) => Check<Double8>(name, bound);
 
     [Theory]

@@ -15,7 +15,7 @@ internal interface IReal<T> :
     IUnaryNegationOperators<T, T>, IBitwiseOperators<T, T, T>
     where T : unmanaged, IReal<T>
 {
-    /// <summary>Number of lanes: 1, 4, 8 or 16.</summary>
+    /// <summary>Number of lanes: 1, 2, 4, 8 or 16.</summary>
     static abstract int Width { get; }
 
     /// <summary>True for float lanes (24-bit significand), false for double lanes (53-bit): a constant for the compiler.</summary>
