@@ -1,0 +1,55 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Text.Json.Nodes;
+
+namespace LabRaytracer;
+
+/// <summary>One of several kinds of objects, told by the value of a key such as "type".</summary>
+internal sealed class VariantFormat<T>(string key, string description, IReadOnlyList<ObjectFormat<T>> variants) : Format<T>
+    where T : notnull
+{
+    public override string Allowed => $"an object with '{key}': {Wording.List(Names)}";
+
+    private IEnumerable<string> Names => variants.Select(variant => variant.Tag!.Value.Value);
+
+    public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out T value)
+    {
+        value = default;
+        if (node.Kind != NodeKind.Object)
+        {
+            return reading.WrongValue(node, Allowed);
+        }
+
+        foreach ((SceneNode at, SceneNode content) in node.Members())
+        {
+            if (at.Text() == key)
+            {
+                return TryReadVariant(node, content, reading, out value);
+            }
+        }
+
+        return reading.Mistake(node, $"the key '{key}' is missing", Wording.List(Names));
+    }
+
+    public override JsonObject Schema(SchemaBuilder schema) => new()
+    {
+        ["description"] = description,
+        ["type"] = "object",
+        ["required"] = new JsonArray(key),
+        ["anyOf"] = new JsonArray([.. variants.Select(variant => variant.Schema(schema))]),
+    };
+
+    private bool TryReadVariant(SceneNode node, SceneNode tag, SceneReading reading, [MaybeNullWhen(false)] out T value)
+    {
+        value = default;
+        if (tag.Kind != NodeKind.Text)
+        {
+            return reading.WrongValue(tag, Wording.List(Names));
+        }
+
+        string text = tag.Text();
+        ObjectFormat<T>? variant = variants.FirstOrDefault(known => known.Tag!.Value.Value == text);
+        return variant is null
+            ? reading.Mistake(tag, $"unknown {key} {Wording.Quote(text)}{Wording.Suggestion(text, Names)}", Wording.List(Names))
+            : variant.TryRead(node, reading, out value);
+    }
+}

@@ -1,0 +1,36 @@
+namespace LabRaytracer;
+
+/// <summary>How scene files are loaded.</summary>
+/// <remarks>Immutable, thread safe. Setters throw <see cref="ArgumentOutOfRangeException"/> outside the stated ranges.</remarks>
+public sealed class SceneLoadOptions
+{
+    private readonly long _maxBytes = 256L << 20;
+    private readonly long _maxMeshBytes = 1L << 30;
+
+    /// <summary>Everything as stated at the properties.</summary>
+    public static SceneLoadOptions Default { get; } = new();
+
+    /// <summary>
+    /// Tells whether a scene may name files outside its own folder: absolute paths and paths with "..". Default: no, so that a scene
+    /// from somewhere else cannot read what it should not.
+    /// </summary>
+    public bool AllowOutsidePaths { get; init; }
+
+    /// <summary>Largest scene file, bytes, [1, 2147483591]. Default: 256 MiB.</summary>
+    public long MaxBytes
+    {
+        get => _maxBytes;
+        init => _maxBytes = InRange(value);
+    }
+
+    /// <summary>Largest OBJ or MTL file, bytes, [1, 2147483591]. Default: 1 GiB.</summary>
+    public long MaxMeshBytes
+    {
+        get => _maxMeshBytes;
+        init => _maxMeshBytes = InRange(value);
+    }
+
+    private static long InRange(long value) => value >= 1 && value <= Array.MaxLength
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, $"Allowed: 1 to {Array.MaxLength} bytes.");
+}

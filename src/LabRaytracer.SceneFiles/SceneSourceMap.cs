@@ -1,0 +1,41 @@
+namespace LabRaytracer;
+
+/// <summary>Tells where parts of a loaded scene stand in its file, so that later failures can name the line.</summary>
+/// <remarks>Thread safe once the scene is loaded. Parts are told apart by identity, not by value.</remarks>
+public sealed class SceneSourceMap
+{
+    private readonly SceneSource _source;
+    private readonly Dictionary<object, int> _offsets = new(ReferenceEqualityComparer.Instance);
+
+    internal SceneSourceMap(SceneSource source) => _source = source;
+
+    /// <summary>Finds the place of a part.</summary>
+    /// <param name="part">A texture, material, scene object, light or camera of the scene.</param>
+    /// <param name="location">Where its description starts; of a picture, its file name.</param>
+    /// <returns>False if the part is not from the file.</returns>
+    public bool TryLocate(object part, out SceneLocation location)
+    {
+        ArgumentNullException.ThrowIfNull(part);
+        bool found = _offsets.TryGetValue(part, out int offset);
+        lock (_source)
+        {
+            location = found ? _source.Locate(offset) : default;
+        }
+
+        return found;
+    }
+
+    /// <summary>The exception for a failure that a part causes after loading, such as a picture that cannot be decoded.</summary>
+    /// <param name="part">A part of the scene.</param>
+    /// <param name="failure">What happened.</param>
+    /// <returns>The exception with the place of the part; with line 1, column 1 for a part that is not from the file.</returns>
+    public SceneFileException Explain(object part, Exception failure)
+    {
+        ArgumentNullException.ThrowIfNull(failure);
+        SceneLocation place = TryLocate(part, out SceneLocation location) ? location : new SceneLocation(_source.File, 1, 1);
+        return new SceneFileException(new SceneFileError(place, Wording.Reason(failure)), failure);
+    }
+
+    /// <summary>Notes where a part stands; the first place counts.</summary>
+    internal void Note(object part, SceneNode node) => _offsets.TryAdd(part, node.Offset);
+}

@@ -1,0 +1,59 @@
+namespace LabRaytracer;
+
+/// <summary>Lamps of scene files.</summary>
+internal static class LightFormats
+{
+    private static readonly Key<Intensity> s_intensity = Key.Optional("intensity", Colors.Any, Intensity.White, "Linear intensity.");
+
+    private static readonly Key<Point3D> s_position = Key.Required("position", Coordinates.Point, "Position, world space.");
+
+    private static readonly Key<Vector3D> s_direction = Key.Required("direction", Coordinates.Direction, "Direction in which the light travels, world space.");
+
+    private static readonly Key<Point3D> s_target = Key.Required("target", Coordinates.Point, "The point that the axis of the cone goes through, world space.");
+
+    private static readonly Key<double> s_outer = Key.Optional(
+        "outerDegrees", new NumberFormat { Above = 0, Max = 90 }, 30, "Angle between the axis and the edge of the cone, degrees.");
+
+    private static readonly Key<double> s_inner = Key.Optional(
+        "innerDegrees", new NumberFormat { Min = 0, Max = 90 }, "Angle between the axis and the edge of full light, degrees, not above outerDegrees. Default: the same as outerDegrees.");
+
+    private static readonly Key<Fading> s_attenuation = Key.Optional(
+        "attenuation",
+        new NumbersFormat<Fading>(
+            3,
+            "three numbers [constant, linear, quadratic] of at least 0, not all 0",
+            n => n.All(factor => factor == 0) ? null : new Fading(n[0], n[1], n[2]),
+            fading => [fading.Constant, fading.Linear, fading.Quadratic]) { Item = NumberFormat.NotNegative },
+        new Fading(1, 0, 0),
+        "Fading with distance d: 1 / (constant + linear d + quadratic d^2).");
+
+    /// <summary>A lamp, told by its type.</summary>
+    public static VariantFormat<Light> Any { get; } = new(
+        "type",
+        "A lamp.",
+        [
+            new("pointLight", "Light from a point in all directions.", [s_position, s_intensity, s_attenuation], Point, ("type", "point")),
+            new("directionalLight", "Parallel light from far away, such as the sun.", [s_direction, s_intensity], Directional, ("type", "directional")),
+            new("spotLight", "A cone of light.", [s_position, s_target, s_intensity, s_outer, s_inner, s_attenuation], Spot, ("type", "spot")),
+            new("ambientLight", "Light from everywhere, the same at every point.", [s_intensity], fields => new AmbientLight(fields.Get(s_intensity)), ("type", "ambient")),
+        ]);
+
+    private static PointLight Point(Fields fields) =>
+        new(fields.Get(s_position), fields.Get(s_intensity)) { Attenuation = fields.Get(s_attenuation).Make() };
+
+    private static DirectionalLight Directional(Fields fields) => new(fields.Get(s_direction), fields.Get(s_intensity));
+
+    private static Light Spot(Fields fields)
+    {
+        double outer = fields.Get(s_outer), inner = fields.Has(s_inner) ? fields.Get(s_inner) : outer;
+        return new SpotLight(fields.Get(s_position), fields.Get(s_target), fields.Get(s_intensity), outer, inner)
+        {
+            Attenuation = fields.Get(s_attenuation).Make(),
+        };
+    }
+
+    private readonly record struct Fading(double Constant, double Linear, double Quadratic)
+    {
+        public Attenuation Make() => new(Constant, Linear, Quadratic);
+    }
+}

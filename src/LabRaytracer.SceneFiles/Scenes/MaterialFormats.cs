@@ -1,0 +1,61 @@
+namespace LabRaytracer;
+
+/// <summary>Materials of scene files.</summary>
+internal static class MaterialFormats
+{
+    private static readonly Material s_default = new();
+
+    private static readonly Key<TextureSlot> s_ambient = Key.Optional("ambient", SlotFormats.Color, "k_a: share of ambient light that is reflected. Default: the same as diffuse.");
+
+    private static readonly Key<TextureSlot> s_diffuse = Key.Optional("diffuse", SlotFormats.Color, s_default.Diffuse, "k_d: matte (Lambert) reflectance.");
+
+    private static readonly Key<TextureSlot> s_specular = Key.Optional("specular", SlotFormats.Color, s_default.Specular, "k_s: reflectance of the highlight.");
+
+    private static readonly Key<ScalarSlot> s_shininess = Key.Optional(
+        "shininess", SlotFormats.Number("shininessSlot", new NumberFormat { Min = 0, Max = 1e6 }, s_default.Shininess.Value), s_default.Shininess, "Exponent of the highlight.");
+
+    private static readonly Key<TextureSlot> s_reflection = Key.Optional("reflection", SlotFormats.Color, s_default.Reflection, "k_r: share of mirrored light.");
+
+    private static readonly Key<TextureSlot> s_transparency = Key.Optional(
+        "transparency", SlotFormats.Color, s_default.Transparency, "k_t: share of light that passes through.");
+
+    private static readonly Key<ScalarSlot> s_indexOfRefraction = Key.Optional(
+        "indexOfRefraction",
+        SlotFormats.Number("indexOfRefractionSlot", new NumberFormat { Min = 0.01, Max = 100 }, s_default.IndexOfRefraction.Value),
+        s_default.IndexOfRefraction,
+        "Index of refraction inside relative to outside: glass 1.5, water 1.33.");
+
+    private static readonly Key<FresnelModel> s_fresnel = Key.Optional(
+        "fresnel", ChoiceFormat.Of<FresnelModel>(), FresnelModel.None, "How a transparent material shares light between reflection and refraction.");
+
+    private static readonly Key<TextureSlot> s_emission = Key.Optional("emission", SlotFormats.Color, s_default.Emission, "Light that the surface gives off by itself.");
+
+    private static readonly ObjectFormat<Material> s_inline = new(
+        "material",
+        "How a surface looks: coefficients of the lighting model, each a value or a texture.",
+        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission],
+        Build);
+
+    /// <summary>Named materials.</summary>
+    public static MapFormat<Material> Map { get; } = new(s_inline, reading => reading.Materials);
+
+    /// <summary>A material by name or in place.</summary>
+    public static EitherFormat<Material> Any { get; } = new(
+        "the name of a material, or a material { \"diffuse\": ... }",
+        (NodeKind.Text, new NameFormat<Material>("material", "materials", reading => reading.Materials)),
+        (NodeKind.Object, s_inline)) { Name = "materialReference" };
+
+    private static Material Build(Fields fields) => new()
+    {
+        Name = fields.Reading.NameBeingRead,
+        Ambient = fields.Find(s_ambient),
+        Diffuse = fields.Get(s_diffuse),
+        Specular = fields.Get(s_specular),
+        Shininess = fields.Get(s_shininess),
+        Reflection = fields.Get(s_reflection),
+        Transparency = fields.Get(s_transparency),
+        IndexOfRefraction = fields.Get(s_indexOfRefraction),
+        Fresnel = fields.Get(s_fresnel),
+        Emission = fields.Get(s_emission),
+    };
+}

@@ -1,0 +1,132 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Text.Json.Nodes;
+
+namespace LabRaytracer;
+
+/// <summary>Coefficients of materials: a value, a texture, or a value modulated by a texture.</summary>
+internal static class SlotFormats
+{
+    private static readonly Key<TextureCoordinate> s_offset = Key.Optional(
+        "offset", Coordinates.Uv, new TextureCoordinate(0, 0), "Added to (u, v), last.");
+
+    private static readonly Key<TextureCoordinate> s_scale = Key.Optional(
+        "scale",
+        new EitherFormat<TextureCoordinate>(
+            "a number, or two numbers [u, v]",
+            (NodeKind.Array, Coordinates.Uv),
+            (NodeKind.Number, new MappedFormat<double, TextureCoordinate>(NumberFormat.Any, factor => new TextureCoordinate(factor, factor)))),
+        new TextureCoordinate(1, 1),
+        "Factors of u and v, applied first: 2 shows a picture twice.");
+
+    private static readonly Key<double> s_rotate = Key.Optional("rotateDegrees", NumberFormat.Any, 0, "Turn of (u, v), degrees, counter-clockwise with v up.");
+
+    private static readonly Key<TextureCoordinate> s_center = Key.Optional(
+        "center", Coordinates.Uv, new TextureCoordinate(0, 0), "The point that scale and rotation leave in place.");
+
+    private static readonly ObjectFormat<UvTransform> s_uvTransform = new(
+        "uvTransform",
+        "Transform of texture coordinates: scale, then rotation, then offset.",
+        [s_offset, s_scale, s_rotate, s_center],
+        fields => new UvTransform(fields.Get(s_offset), fields.Get(s_rotate), fields.Get(s_scale), fields.Get(s_center)));
+
+    private static readonly Key<Intensity> s_value = Key.Optional("value", Colors.Any, Intensity.White, "The coefficient without texture, linear.");
+
+    private static readonly Key<double> s_number = Key.Optional("value", NumberFormat.Any, "The coefficient without texture. Default: that of the key.");
+
+    private static readonly Key<ITexture> s_texture = Key.Optional("texture", TextureFormats.Any, "Name of a texture, or a texture in place. Default: none.");
+
+    private static readonly Key<double> s_amount = Key.Optional("amount", NumberFormat.Share, 1, "How much of the texture's effect is applied.");
+
+    private static readonly Key<BlendMode> s_blend = Key.Optional(
+        "blend", ChoiceFormat.Of<BlendMode>(), BlendMode.Multiply, "How the texture changes the value k: k T, T, k + T, or the mean of k and T.");
+
+    private static readonly Key<IMapping> s_mapping = Key.Optional(
+        "mapping",
+        new ChoiceFormat<IMapping>(
+            ("rectangular", new RectangularMapping()),
+            ("cylindrical", new CylindricalMapping()),
+            ("spherical", new SphericalMapping()),
+            ("mesh", new MeshMapping()),
+            ("disk", new DiskMapping()),
+            ("box", new BoxMapping())),
+        "How the surface is mapped to (u, v). Default: as the shape suggests.");
+
+    private static readonly Key<UvTransform> s_transform = Key.Optional("transform", s_uvTransform, "Transform of (u, v) before the lookup. Default: none.");
+
+    private static readonly Key<TextureChannel> s_channel = Key.Optional(
+        "channel", ChoiceFormat.Of<TextureChannel>(), TextureChannel.Luminance, "Which number of the texture's colour is read.");
+
+    private static readonly ObjectFormat<TextureSlot> s_colorSlot = new(
+        "colorSlot", "A colour modulated by a texture.", [s_value, s_texture, s_amount, s_blend, s_mapping, s_transform], ColorSlot);
+
+    /// <summary>A colour coefficient.</summary>
+    public static EitherFormat<TextureSlot> Color { get; } = new(
+        $"{Colors.Words}, the name of a texture, an object {{ value, texture, ... }}",
+        (NodeKind.Array, new MappedFormat<Intensity, TextureSlot>(Colors.Linear, color => color, slot => slot.Value)),
+        (NodeKind.Number, new MappedFormat<Intensity, TextureSlot>(Colors.Grey, grey => grey)),
+        (NodeKind.Text, new TextSlotFormat()),
+        (NodeKind.Object, s_colorSlot)) { Name = "coefficient" };
+
+    /// <summary>A number coefficient.</summary>
+    /// <param name="name">Name in the schema.</param>
+    /// <param name="range">What the number may be.</param>
+    /// <param name="standard">The value where a slot gives a texture alone.</param>
+    public static EitherFormat<ScalarSlot> Number(string name, NumberFormat range, double standard)
+    {
+        Key<double> value = Key.Optional("value", range, standard, s_number.Description);
+        ObjectFormat<ScalarSlot> slot = new(
+            name,
+            "A number modulated by a texture.",
+            [value, s_texture, s_channel, s_amount, s_blend, s_mapping, s_transform],
+            fields => NumberSlot(fields, fields.Get(value)));
+        return new EitherFormat<ScalarSlot>(
+            $"{range.Allowed}, the name of a texture, an object {{ value, texture, ... }}",
+            (NodeKind.Number, new MappedFormat<double, ScalarSlot>(range, number => number, back => back.Value)),
+            (NodeKind.Text, new MappedFormat<ITexture, ScalarSlot>(
+                TextureFormats.Name, texture => new ScalarSlot { Value = (float)standard, Texture = texture })),
+            (NodeKind.Object, slot));
+    }
+
+    private static TextureSlot ColorSlot(Fields fields) => new()
+    {
+        Value = fields.Get(s_value),
+        Texture = fields.Find(s_texture),
+        Amount = (float)fields.Get(s_amount),
+        Blend = fields.Get(s_blend),
+        Mapping = fields.Find(s_mapping),
+        Transform = fields.Find(s_transform) ?? UvTransform.Identity,
+    };
+
+    private static ScalarSlot NumberSlot(Fields fields, double value) => new()
+    {
+        Value = (float)value,
+        Texture = fields.Find(s_texture),
+        Channel = fields.Get(s_channel),
+        Amount = (float)fields.Get(s_amount),
+        Blend = fields.Get(s_blend),
+        Mapping = fields.Find(s_mapping),
+        Transform = fields.Find(s_transform) ?? UvTransform.Identity,
+    };
+
+    /// <summary>A text in the place of a coefficient: a colour if it starts with '#', else the name of a texture.</summary>
+    private sealed class TextSlotFormat : Format<TextureSlot>
+    {
+        public override string Allowed => Color.Allowed;
+
+        public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out TextureSlot value)
+        {
+            if (node.Text().StartsWith('#'))
+            {
+                bool good = Colors.Any.TryRead(node, reading, out Intensity color);
+                value = color;
+                return good;
+            }
+
+            bool known = TextureFormats.Name.TryRead(node, reading, out ITexture? texture);
+            value = known ? TextureSlot.Of(texture!) : null;
+            return known;
+        }
+
+        public override JsonObject Schema(SchemaBuilder schema) => new() { ["type"] = "string", ["minLength"] = 1 };
+    }
+}
