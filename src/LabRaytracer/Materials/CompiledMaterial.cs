@@ -14,6 +14,7 @@ internal sealed class CompiledMaterial
     public CompiledMaterial(Material material, IMapping defaultMapping, TexturePreparation textures)
     {
         Material = material;
+        DefaultMapping = defaultMapping;
         CompiledSlot Slot(TextureSlot slot) => Compile(slot, defaultMapping, textures);
         Diffuse = Slot(material.Diffuse);
         Ambient = material.Ambient is null ? Diffuse : Slot(material.Ambient);
@@ -31,7 +32,10 @@ internal sealed class CompiledMaterial
     /// <summary>The material.</summary>
     public Material Material { get; }
 
-    /// <summary>Colour slots.</summary>
+    /// <summary>Mapping of slots that do not name one.</summary>
+    public IMapping DefaultMapping { get; }
+
+    /// <summary>k_a.</summary>
     public CompiledSlot Ambient { get; }
 
     /// <summary>k_d.</summary>

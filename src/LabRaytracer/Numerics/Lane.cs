@@ -17,4 +17,27 @@ internal static class Lane
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Slack<T>(T size)
         where T : unmanaged, IReal<T> => size * T.Of(T.IsSingle ? 1.9073486328125e-6 : 3.552713678800501e-15);
+
+    /// <summary>Reads one element of a column of lanes, exactly.</summary>
+    /// <param name="column">The column.</param>
+    /// <param name="element">Number of the scalar.</param>
+    public static unsafe double Take<T>(T* column, int element)
+        where T : unmanaged, IReal<T> => T.IsSingle ? ((float*)column)[element] : ((double*)column)[element];
+
+    /// <summary>Writes one element of a column of lanes, rounded to its precision.</summary>
+    /// <param name="column">The column.</param>
+    /// <param name="element">Number of the scalar.</param>
+    /// <param name="value">The number.</param>
+    public static unsafe void Put<T>(T* column, int element, double value)
+        where T : unmanaged, IReal<T>
+    {
+        if (T.IsSingle)
+        {
+            ((float*)column)[element] = (float)value;
+        }
+        else
+        {
+            ((double*)column)[element] = value;
+        }
+    }
 }

@@ -23,6 +23,16 @@ internal sealed class WorkerCounters
         _since = now;
     }
 
+    /// <summary>Notes a pixel that is not finite.</summary>
+    public void Report(int x, int y)
+    {
+        NotFinite++;
+        if (FirstNotFinite is not { } known || (y, x).CompareTo((known.Y, known.X)) < 0)
+        {
+            FirstNotFinite = (x, y);
+        }
+    }
+
     /// <summary>Adds these counts to a render's statistics.</summary>
     public void AddTo(RenderStatistics statistics, double[] stageSeconds)
     {

@@ -1,0 +1,33 @@
+namespace LabRaytracer;
+
+/// <summary>What rays see that hit nothing.</summary>
+internal static unsafe class BackgroundStage
+{
+    /// <summary>Radiance of the rays of a group, by their directions.</summary>
+    public static void Run<R, F, I>(
+        CompiledMaterial background, RayBatch<R, F, I> rays, int* order, int count, ShadingBuffers<R, F, I> buffers, WorkerCounters counters)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        int packets = (count + R.Width - 1) / R.Width;
+        if (background.Lookups.Count > 0)
+        {
+            PositionBatch<R> at = buffers.Surfaces.Positions;
+            for (int packet = 0; packet < packets; packet++)
+            {
+                I index = I.Load(order + (packet * R.Width));
+                at.X[packet] = at.NormalX[packet] = R.Gather(rays.DirectionX, index);
+                at.Y[packet] = at.NormalY[packet] = R.Gather(rays.DirectionY, index);
+                at.Z[packet] = at.NormalZ[packet] = R.Gather(rays.DirectionZ, index);
+            }
+
+            TextureStage.Run(background, buffers, count, counters);
+        }
+
+        for (int packet = 0; packet < packets; packet++)
+        {
+            background.Emission.Read(buffers.Texels, packet, out buffers.Radiance.R[packet], out buffers.Radiance.G[packet], out buffers.Radiance.B[packet]);
+        }
+    }
+}

@@ -1,0 +1,112 @@
+namespace LabRaytracer;
+
+/// <summary>Takes a batch of rays through all stages: hits, groups, surfaces, textures, lamps, secondary rays.</summary>
+/// <remarks>Owned by one worker; nothing is allocated per batch.</remarks>
+internal sealed unsafe class BatchTracer<R, F, I>
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    private readonly CompiledScene<R, F, I> _scene;
+    private readonly RenderOptions _options;
+    private readonly HitBatch<R, F, I> _hits;
+    private readonly HitGroups<R, F, I> _groups;
+    private readonly ShadingBuffers<R, F, I> _buffers;
+    private readonly LightStage<R, F, I> _lights;
+    private readonly SecondaryStage<R, F, I> _secondaryStage;
+    private readonly SecondaryRays _secondary;
+
+    public BatchTracer(CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity)
+    {
+        _scene = scene;
+        _options = options;
+        Counters = counters;
+        Capacity = capacity;
+        _hits = new HitBatch<R, F, I>(memory, capacity);
+        _groups = new HitGroups<R, F, I>(scene, memory, capacity);
+        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity);
+        _lights = new LightStage<R, F, I>(scene, _buffers, counters);
+        _secondary = new SecondaryRays(capacity);
+        _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters);
+        Radiance = new Intensity[capacity];
+        Weights = new Intensity[capacity];
+        Pixels = new int[capacity];
+    }
+
+    /// <summary>Most rays of a batch.</summary>
+    public int Capacity { get; }
+
+    /// <summary>Counts and times.</summary>
+    public WorkerCounters Counters { get; }
+
+    /// <summary>Result: light that each ray of the batch brings, unweighted.</summary>
+    public Intensity[] Radiance { get; }
+
+    /// <summary>Weight of each ray of the batch.</summary>
+    public Intensity[] Weights { get; }
+
+    /// <summary>Pixel of each ray of the batch.</summary>
+    public int[] Pixels { get; }
+
+    /// <summary>Traces a batch.</summary>
+    /// <param name="rays">The rays.</param>
+    /// <param name="depth">Reflections and refractions so far.</param>
+    /// <param name="queue">Receives the reflected and refracted rays.</param>
+    public void Trace(RayBatch<R, F, I> rays, int depth, List<SecondaryRay> queue)
+    {
+        _scene.Nearest(rays, _hits);
+        Counters.Charge(RenderStage.Intersect);
+        _groups.Sort(rays, _hits);
+        Counters.Charge(RenderStage.Group);
+        for (int key = 0; key < _scene.Keys.Count; key++)
+        {
+            if (_groups.Count[key] > 0)
+            {
+                Shade(_scene.Keys[key], rays, _groups.Order + _groups.Start[key], _groups.Count[key], depth);
+            }
+        }
+
+        int missed = _groups.Count[_groups.MissKey];
+        if (missed > 0)
+        {
+            int* order = _groups.Order + _groups.Start[_groups.MissKey];
+            BackgroundStage.Run(_scene.Background, rays, order, missed, _buffers, Counters);
+            Scatter(order, missed);
+        }
+
+        _secondary.MoveTo(rays.Count, queue);
+        Counters.Charge(RenderStage.Combine);
+    }
+
+    private void Shade(ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, int* order, int count, int depth)
+    {
+        CompiledMaterial material = key.Material;
+        key.Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | ViewStage.Needs(_options.View));
+        ViewerStage.Run(rays, order, count, _buffers);
+        Counters.Charge(RenderStage.Surface);
+        if (_options.View is RenderView.Color or RenderView.Nan)
+        {
+            TextureStage.Run(material, _buffers, count, Counters);
+            _lights.Run(material, count);
+            if (material.HasSecondaryRays && depth < _options.MaxDepth)
+            {
+                _secondaryStage.Run(material, order, count, Weights, Pixels);
+            }
+        }
+        else
+        {
+            ViewStage.Run(_options.View, _hits, order, count, material, _buffers);
+        }
+
+        Scatter(order, count);
+        Counters.Charge(RenderStage.Combine);
+    }
+
+    private void Scatter(int* order, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            Radiance[order[i]] = _buffers.Radiance.Take(i);
+        }
+    }
+}

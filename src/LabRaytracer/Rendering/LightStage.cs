@@ -1,0 +1,192 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Lamps and shadows of a group of hits.</summary>
+internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, WorkerCounters counters)
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <summary>Starts the radiance with emission and ambient light, then adds every lamp's share.</summary>
+    public void Run(CompiledMaterial material, int count)
+    {
+        int packets = (count + R.Width - 1) / R.Width;
+        Begin(material, packets);
+        if (material.IsLit)
+        {
+            foreach (Light light in scene.Lights)
+            {
+                Sample(light, count, packets);
+                AimShadowRays(packets, count);
+                if (light.CastsShadows)
+                {
+                    scene.Block(buffers.ShadowRays);
+                }
+
+                Add(material, packets, count);
+            }
+        }
+
+        counters.Charge(RenderStage.Light);
+    }
+
+    private void Begin(CompiledMaterial material, int packets)
+    {
+        ColorColumns<F> radiance = buffers.Radiance;
+        F ambientR = F.Of(scene.Ambient.R), ambientG = F.Of(scene.Ambient.G), ambientB = F.Of(scene.Ambient.B);
+        bool hasAmbient = scene.Ambient != Intensity.Black && !material.Ambient.IsBlack;
+        for (int packet = 0; packet < packets; packet++)
+        {
+            material.Emission.Read(buffers.Texels, packet, out F red, out F green, out F blue);
+            if (hasAmbient)
+            {
+                material.Ambient.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
+                red = F.Fma(kr, ambientR, red);
+                green = F.Fma(kg, ambientG, green);
+                blue = F.Fma(kb, ambientB, blue);
+            }
+
+            radiance.R[packet] = red;
+            radiance.G[packet] = green;
+            radiance.B[packet] = blue;
+        }
+    }
+
+    private void Sample(Light light, int count, int packets)
+    {
+        if (light is IWideLight wide)
+        {
+            wide.Sample(buffers.Surfaces, buffers.Light, packets);
+            return;
+        }
+
+        LightColumns<R, F> samples = buffers.Light;
+        for (int i = 0; i < packets * R.Width; i++)
+        {
+            int at = Math.Min(i, count - 1);
+            Point3D point = new(
+                R.Take(buffers.Surfaces.PointX, at), R.Take(buffers.Surfaces.PointY, at), R.Take(buffers.Surfaces.PointZ, at));
+            bool arrives = light.TrySample(point, out LightSample sample);
+            R.Put(samples.DirectionX, i, sample.Direction.X);
+            R.Put(samples.DirectionY, i, sample.Direction.Y);
+            R.Put(samples.DirectionZ, i, sample.Direction.Z);
+            R.Put(samples.Distance, i, sample.Distance);
+            samples.Intensity.Put(i, arrives ? sample.Intensity : Intensity.Black);
+        }
+    }
+
+    /// <summary>Rays from outside the hit's slack to the lamp; off where the surface faces away or no light arrives.</summary>
+    private void AimShadowRays(int packets, int count)
+    {
+        RayBatch<R, F, I> rays = buffers.ShadowRays;
+        SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        LightColumns<R, F> light = buffers.Light;
+        rays.Count = packets * R.Width;
+        int aimed = 0;
+        for (int packet = 0; packet < packets; packet++)
+        {
+            R lx = light.DirectionX[packet], ly = light.DirectionY[packet], lz = light.DirectionZ[packet];
+            R geometric = Lane.Dot(s.NormalX[packet], s.NormalY[packet], s.NormalZ[packet], lx, ly, lz);
+            R shading = Lane.Dot(s.ShadingX[packet], s.ShadingY[packet], s.ShadingZ[packet], lx, ly, lz);
+            F most = F.Max(light.Intensity.R[packet], F.Max(light.Intensity.G[packet], light.Intensity.B[packet]));
+            R lit = R.Less(R.Zero, geometric) & R.Less(R.Zero, shading) & R.MaskFromSingle(F.Less(F.Zero, most));
+            R slack = s.Slack[packet];
+            rays.OriginX[packet] = R.Fma(slack, s.NormalX[packet], s.PointX[packet]);
+            rays.OriginY[packet] = R.Fma(slack, s.NormalY[packet], s.PointY[packet]);
+            rays.OriginZ[packet] = R.Fma(slack, s.NormalZ[packet], s.PointZ[packet]);
+            rays.DirectionX[packet] = lx;
+            rays.DirectionY[packet] = ly;
+            rays.DirectionZ[packet] = lz;
+            rays.Limit[packet] = R.Select(lit, light.Distance[packet], R.Of(-1));
+            uint live = R.Bits(lit);
+            aimed += BitOperations.PopCount(packet == packets - 1 ? live & Tail(count) : live);
+        }
+
+        counters.ShadowRays += aimed;
+        counters.ShadowRaysSkipped += count - aimed;
+    }
+
+    private void Add(CompiledMaterial material, int packets, int count)
+    {
+        IShader shader = material.Material.Shader;
+        if (shader is not IWideShader wide)
+        {
+            AddEach(material, shader, count);
+            return;
+        }
+
+        ColorColumns<F> radiance = buffers.Radiance;
+        LightColumns<R, F> light = buffers.Light;
+        for (int packet = 0; packet < packets; packet++)
+        {
+            F visible = R.MaskToSingle(R.Less(R.Zero, buffers.ShadowRays.Limit[packet]));
+            if (!F.Any(visible))
+            {
+                continue;
+            }
+
+            ShaderLanes<F> point = Describe(material, packet);
+            wide.Reflect(point, out F red, out F green, out F blue);
+            radiance.R[packet] = F.Fma(red, light.Intensity.R[packet] & visible, radiance.R[packet]);
+            radiance.G[packet] = F.Fma(green, light.Intensity.G[packet] & visible, radiance.G[packet]);
+            radiance.B[packet] = F.Fma(blue, light.Intensity.B[packet] & visible, radiance.B[packet]);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private ShaderLanes<F> Describe(CompiledMaterial material, int packet)
+    {
+        SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        LightColumns<R, F> light = buffers.Light;
+        ShaderLanes<F> point = default;
+        material.Diffuse.Read(buffers.Texels, packet, out point.DiffuseR, out point.DiffuseG, out point.DiffuseB);
+        point.NormalX = R.ToSingle(s.ShadingX[packet]);
+        point.NormalY = R.ToSingle(s.ShadingY[packet]);
+        point.NormalZ = R.ToSingle(s.ShadingZ[packet]);
+        point.LightX = R.ToSingle(light.DirectionX[packet]);
+        point.LightY = R.ToSingle(light.DirectionY[packet]);
+        point.LightZ = R.ToSingle(light.DirectionZ[packet]);
+        if (!material.Specular.IsBlack)
+        {
+            material.Specular.Read(buffers.Texels, packet, out point.SpecularR, out point.SpecularG, out point.SpecularB);
+            point.Shininess = material.Shininess.Read(buffers.Texels, packet);
+            point.ViewX = R.ToSingle(-buffers.DirectionX[packet]);
+            point.ViewY = R.ToSingle(-buffers.DirectionY[packet]);
+            point.ViewZ = R.ToSingle(-buffers.DirectionZ[packet]);
+        }
+
+        return point;
+    }
+
+    /// <summary>A lighting model that only knows one point at a time.</summary>
+    private void AddEach(CompiledMaterial material, IShader shader, int count)
+    {
+        SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        for (int i = 0; i < count; i++)
+        {
+            if (!(R.Take(buffers.ShadowRays.Limit, i) > 0))
+            {
+                continue;
+            }
+
+            int packet = i / R.Width, lane = i % R.Width;
+            material.Diffuse.Read(buffers.Texels, packet, out F dr, out F dg, out F db);
+            material.Specular.Read(buffers.Texels, packet, out F sr, out F sg, out F sb);
+            SurfaceValues values = new(
+                At(dr, dg, db, lane), At(sr, sg, sb, lane), (float)F.Get(material.Shininess.Read(buffers.Texels, packet), lane));
+            Intensity share = shader.Reflect(
+                values,
+                new Vector3D(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i)),
+                new Vector3D(R.Take(buffers.Light.DirectionX, i), R.Take(buffers.Light.DirectionY, i), R.Take(buffers.Light.DirectionZ, i)),
+                new Vector3D(-R.Take(buffers.DirectionX, i), -R.Take(buffers.DirectionY, i), -R.Take(buffers.DirectionZ, i)));
+            buffers.Radiance.Put(i, buffers.Radiance.Take(i) + (share * buffers.Light.Intensity.Take(i)));
+        }
+    }
+
+    private static Intensity At(F red, F green, F blue, int lane) => new((float)F.Get(red, lane), (float)F.Get(green, lane), (float)F.Get(blue, lane));
+
+    /// <summary>Bits of the lanes of the last group that hold hits.</summary>
+    private static uint Tail(int count) => count % R.Width == 0 ? uint.MaxValue : (1u << (count % R.Width)) - 1;
+}

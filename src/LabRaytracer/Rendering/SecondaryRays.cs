@@ -1,0 +1,57 @@
+namespace LabRaytracer;
+
+/// <summary>The reflected and refracted rays that a batch leaves behind, given back in the order of the rays they come from.</summary>
+/// <remarks>
+/// The order does not depend on how hits were grouped or batches were cut: so neither does the order in which light is added to a pixel, to the last bit.
+/// </remarks>
+internal sealed class SecondaryRays(int capacity)
+{
+    private readonly SecondaryRay[] _reflected = new SecondaryRay[capacity];
+    private readonly SecondaryRay[] _refracted = new SecondaryRay[capacity];
+    private readonly byte[] _present = new byte[capacity];
+    private bool _any;
+
+    /// <summary>Keeps the reflected ray of a ray.</summary>
+    public void Reflect(int ray, in SecondaryRay secondary)
+    {
+        _reflected[ray] = secondary;
+        _present[ray] |= 1;
+        _any = true;
+    }
+
+    /// <summary>Keeps the refracted ray of a ray.</summary>
+    public void Refract(int ray, in SecondaryRay secondary)
+    {
+        _refracted[ray] = secondary;
+        _present[ray] |= 2;
+        _any = true;
+    }
+
+    /// <summary>Moves what was kept to the end of a list.</summary>
+    /// <param name="count">Number of rays of the batch.</param>
+    /// <param name="queue">The list.</param>
+    public void MoveTo(int count, List<SecondaryRay> queue)
+    {
+        if (!_any)
+        {
+            return;
+        }
+
+        for (int ray = 0; ray < count; ray++)
+        {
+            if ((_present[ray] & 1) != 0)
+            {
+                queue.Add(_reflected[ray]);
+            }
+
+            if ((_present[ray] & 2) != 0)
+            {
+                queue.Add(_refracted[ray]);
+            }
+
+            _present[ray] = 0;
+        }
+
+        _any = false;
+    }
+}

@@ -1,0 +1,65 @@
+namespace LabRaytracer;
+
+/// <summary>The columns that shading of one batch passes through; owned by one worker.</summary>
+internal sealed unsafe class ShadingBuffers<R, F, I>
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <param name="scene">The scene, for the number of columns that its materials need.</param>
+    /// <param name="memory">Owns the columns.</param>
+    /// <param name="capacity">Most hits of a batch.</param>
+    public ShadingBuffers(CompiledScene<R, F, I> scene, LaneMemory memory, int capacity)
+    {
+        Surfaces = new SurfaceBatch<R, F, I>(memory, capacity);
+        ShadowRays = new RayBatch<R, F, I>(memory, capacity);
+        Light = new LightColumns<R, F>(memory, capacity);
+        Radiance = new ColorColumns<F>(memory, capacity);
+        DirectionX = memory.Column<R>(capacity, R.Width);
+        DirectionY = memory.Column<R>(capacity, R.Width);
+        DirectionZ = memory.Column<R>(capacity, R.Width);
+        Inside = memory.Column<R>(capacity, R.Width);
+        IEnumerable<CompiledMaterial> materials = scene.Keys.Select(key => key.Material).Append(scene.Background);
+        Coordinates = new CoordinateBatch<R>[Math.Max(1, materials.Max(material => material.Coordinates.Count))];
+        for (int set = 0; set < Coordinates.Length; set++)
+        {
+            Coordinates[set] = new CoordinateBatch<R> { U = memory.Column<R>(capacity, R.Width), V = memory.Column<R>(capacity, R.Width) };
+        }
+
+        Texels = new ColorColumns<F>[Math.Max(1, materials.Max(material => material.Lookups.Count))];
+        for (int lookup = 0; lookup < Texels.Length; lookup++)
+        {
+            Texels[lookup] = new ColorColumns<F>(memory, capacity);
+        }
+    }
+
+    /// <summary>Points and normals; after facing the viewer, normals point to the viewer's side.</summary>
+    public SurfaceBatch<R, F, I> Surfaces { get; }
+
+    /// <summary>Directions of the rays that hit.</summary>
+    public R* DirectionX { get; }
+
+    /// <summary>Directions of the rays that hit.</summary>
+    public R* DirectionY { get; }
+
+    /// <summary>Directions of the rays that hit.</summary>
+    public R* DirectionZ { get; }
+
+    /// <summary>Mask of hits from inside.</summary>
+    public R* Inside { get; }
+
+    /// <summary>Texture coordinates, one set a distinct mapping of the material.</summary>
+    public CoordinateBatch<R>[] Coordinates { get; }
+
+    /// <summary>Texture colours, one set a distinct texture of the material.</summary>
+    public ColorColumns<F>[] Texels { get; }
+
+    /// <summary>Light of the current lamp.</summary>
+    public LightColumns<R, F> Light { get; }
+
+    /// <summary>Rays towards the current lamp.</summary>
+    public RayBatch<R, F, I> ShadowRays { get; }
+
+    /// <summary>Light that leaves the hits towards the viewer.</summary>
+    public ColorColumns<F> Radiance { get; }
+}

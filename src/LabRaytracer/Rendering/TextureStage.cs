@@ -1,0 +1,79 @@
+namespace LabRaytracer;
+
+/// <summary>Mapping and texture lookup of a group of hits: each distinct mapping and each distinct texture once, constants never.</summary>
+internal static unsafe class TextureStage
+{
+    /// <summary>Fills the coordinate sets and texel colours that a material reads.</summary>
+    public static void Run<R, F, I>(CompiledMaterial material, ShadingBuffers<R, F, I> buffers, int count, WorkerCounters counters)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (material.Lookups.Count == 0)
+        {
+            return;
+        }
+
+        int packets = (count + R.Width - 1) / R.Width;
+        for (int set = 0; set < material.Coordinates.Count; set++)
+        {
+            Map(material.Coordinates[set], buffers.Surfaces.Positions, buffers.Coordinates[set], count, packets);
+        }
+
+        counters.Mappings += (long)count * material.Coordinates.Count;
+        counters.Charge(RenderStage.Map);
+        for (int k = 0; k < material.Lookups.Count; k++)
+        {
+            CompiledLookup lookup = material.Lookups[k];
+            LookupBatch<R> lookups = new() { Positions = buffers.Surfaces.Positions, Count = count };
+            if (lookup.Coordinates >= 0)
+            {
+                IMapping mapping = material.Coordinates[lookup.Coordinates].Mapping;
+                lookups.Coordinates = buffers.Coordinates[lookup.Coordinates];
+                lookups.WrapU = mapping.DefaultWrapU;
+                lookups.WrapV = mapping.DefaultWrapV;
+            }
+
+            lookup.Sampler.Sample<R, F, I>(lookups, buffers.Texels[k], packets);
+        }
+
+        counters.TextureLookups += (long)count * material.Lookups.Count;
+        counters.Charge(RenderStage.Texture);
+    }
+
+    private static void Map<R>(in CompiledCoordinates set, in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int count, int packets)
+        where R : unmanaged, IReal<R>
+    {
+        if (set.Mapping is IWideMapping wide)
+        {
+            wide.Map(positions, coordinates, packets);
+        }
+        else
+        {
+            MapEach(set.Mapping, positions, coordinates, count);
+        }
+
+        if (!set.Transform.IsIdentity)
+        {
+            for (int packet = 0; packet < packets; packet++)
+            {
+                (coordinates.U[packet], coordinates.V[packet]) = set.Transform.Apply(coordinates.U[packet], coordinates.V[packet]);
+            }
+        }
+    }
+
+    /// <summary>A mapping that only knows one point at a time.</summary>
+    private static void MapEach<R>(IMapping mapping, in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int count)
+        where R : unmanaged, IReal<R>
+    {
+        for (int i = 0; i < count; i++)
+        {
+            TextureCoordinate mapped = mapping.Map(new SurfacePosition(
+                new Point3D(Lane.Take(positions.X, i), Lane.Take(positions.Y, i), Lane.Take(positions.Z, i)),
+                new Vector3D(Lane.Take(positions.NormalX, i), Lane.Take(positions.NormalY, i), Lane.Take(positions.NormalZ, i)),
+                new TextureCoordinate(Lane.Take(positions.SurfaceU, i), Lane.Take(positions.SurfaceV, i))));
+            Lane.Put(coordinates.U, i, mapped.U);
+            Lane.Put(coordinates.V, i, mapped.V);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+namespace LabRaytracer;
+
+/// <summary>Spreads the tiles of a picture over threads.</summary>
+internal sealed class TileLoop<R, F, I>(
+    CompiledScene<R, F, I> scene, RenderOptions options, PixelRectangle area, IProgress<double>? progress, CancellationToken cancellation)
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    private readonly int _columns = (area.Width + TileWorker<R, F, I>.Side - 1) / TileWorker<R, F, I>.Side;
+    private readonly int _rows = (area.Height + TileWorker<R, F, I>.Side - 1) / TileWorker<R, F, I>.Side;
+    private readonly Lock _lock = new();
+    private int _next;
+    private int _finished;
+
+    /// <summary>Renders all tiles into a picture and adds up the workers' counts.</summary>
+    public void Run(Picture picture, RenderStatistics statistics)
+    {
+        double[] stageSeconds = new double[Enum.GetValues<RenderStage>().Length];
+        int workers = Math.Min(options.Threads, _columns * _rows);
+        if (workers == 1)
+        {
+            Work(picture, statistics, stageSeconds);
+        }
+        else
+        {
+            RunParallel(workers, () => Work(picture, statistics, stageSeconds));
+        }
+
+        statistics.StageSeconds = Enum.GetValues<RenderStage>().ToDictionary(stage => stage.ToString(), stage => stageSeconds[(int)stage]);
+    }
+
+    private void RunParallel(int workers, Action work)
+    {
+        try
+        {
+            Parallel.For(0, workers, new ParallelOptions { MaxDegreeOfParallelism = workers, CancellationToken = cancellation }, _ => work());
+        }
+        catch (AggregateException failure)
+        {
+            throw failure.Flatten().InnerExceptions[0] switch
+            {
+                OperationCanceledException cancelled => cancelled,
+                Exception cause => new RenderException($"Rendering failed: {cause.Message}", cause),
+            };
+        }
+    }
+
+    /// <summary>One worker: takes the next tile until none is left.</summary>
+    private void Work(Picture picture, RenderStatistics statistics, double[] stageSeconds)
+    {
+        using TileWorker<R, F, I> worker = new(scene, options, area);
+        for (int tile = Interlocked.Increment(ref _next) - 1; tile < _columns * _rows; tile = Interlocked.Increment(ref _next) - 1)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            Render(worker, tile, picture);
+        }
+
+        lock (_lock)
+        {
+            worker.Counters.AddTo(statistics, stageSeconds);
+        }
+    }
+
+    private void Render(TileWorker<R, F, I> worker, int tile, Picture picture)
+    {
+        worker.Render(area.X + ((tile % _columns) * TileWorker<R, F, I>.Side), area.Y + ((tile / _columns) * TileWorker<R, F, I>.Side), picture);
+        progress?.Report((double)Interlocked.Increment(ref _finished) / (_columns * _rows));
+    }
+}

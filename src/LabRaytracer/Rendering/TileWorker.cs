@@ -1,0 +1,224 @@
+namespace LabRaytracer;
+
+/// <summary>Renders tiles, one after the other; owned by one thread.</summary>
+internal sealed unsafe class TileWorker<R, F, I> : IDisposable
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <summary>Width and height of a tile, pixels.</summary>
+    public const int Side = 32;
+
+    private const int Block = 4;
+    private const int Pixels = Side * Side;
+
+    private readonly CompiledScene<R, F, I> _scene;
+    private readonly RenderOptions _options;
+    private readonly PixelRectangle _area;
+    private readonly LaneMemory _memory = new();
+    private readonly BatchTracer<R, F, I> _tracer;
+    private readonly RayBatch<R, F, I> _rays;
+    private readonly R* _pixelX;
+    private readonly R* _pixelY;
+    private readonly R* _sampleX;
+    private readonly R* _sampleY;
+    private readonly Intensity[] _sample = new Intensity[Pixels];
+    private readonly Intensity[] _sum = new Intensity[Pixels];
+    private List<SecondaryRay> _queue = [];
+    private List<SecondaryRay> _next = [];
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="options">How it is rendered.</param>
+    /// <param name="area">The part of the picture that is rendered.</param>
+    public TileWorker(CompiledScene<R, F, I> scene, RenderOptions options, PixelRectangle area)
+    {
+        _scene = scene;
+        _options = options;
+        _area = area;
+        _tracer = new BatchTracer<R, F, I>(scene, options, _memory, new WorkerCounters(), Pixels);
+        _rays = new RayBatch<R, F, I>(_memory, Pixels);
+        _pixelX = _memory.Column<R>(Pixels, R.Width);
+        _pixelY = _memory.Column<R>(Pixels, R.Width);
+        _sampleX = _memory.Column<R>(Pixels, R.Width);
+        _sampleY = _memory.Column<R>(Pixels, R.Width);
+        for (int i = 0; i < Pixels; i++)
+        {
+            (int x, int y) = Place(i);
+            R.Put(_pixelX, i, x);
+            R.Put(_pixelY, i, y);
+        }
+    }
+
+    /// <summary>Counts and times of this worker.</summary>
+    public WorkerCounters Counters => _tracer.Counters;
+
+    /// <summary>Renders the tile whose top-left pixel is (x, y) of the whole picture.</summary>
+    public void Render(int x, int y, Picture picture)
+    {
+        Counters.Start();
+        Array.Clear(_sum);
+        for (int sample = 0; sample < _options.Samples; sample++)
+        {
+            Aim(x, y, sample);
+            Counters.Charge(RenderStage.Camera);
+            TracePrimary();
+            TraceSecondary();
+            for (int i = 0; i < Pixels; i++)
+            {
+                _sum[i] += _sample[i];
+            }
+        }
+
+        Write(x, y, picture);
+        Counters.Charge(RenderStage.Combine);
+    }
+
+    public void Dispose() => _memory.Dispose();
+
+    /// <summary>Position of pixel number i in its tile: blocks of 4 x 4, so that a group of lanes sees neighbours in both directions.</summary>
+    private static (int X, int Y) Place(int i)
+    {
+        int block = i / (Block * Block), inside = i % (Block * Block);
+        int across = Side / Block;
+        return (((block % across) * Block) + (inside % Block), ((block / across) * Block) + (inside / Block));
+    }
+
+    /// <summary>Camera rays of one sample of every pixel; pixels outside the picture are off.</summary>
+    private void Aim(int x, int y, int sample)
+    {
+        if (_options.Pattern == SamplePattern.Regular)
+        {
+            R startX = R.Of(x + SampleOffsets.Regular(_options, sample, 0)), startY = R.Of(y + SampleOffsets.Regular(_options, sample, 1));
+            for (int packet = 0; packet < Pixels / R.Width; packet++)
+            {
+                _sampleX[packet] = _pixelX[packet] + startX;
+                _sampleY[packet] = _pixelY[packet] + startY;
+            }
+        }
+        else
+        {
+            for (int i = 0; i < Pixels; i++)
+            {
+                (int px, int py) = Place(i);
+                R.Put(_sampleX, i, x + px + SampleOffsets.Jittered(_options, x + px, y + py, sample, 0));
+                R.Put(_sampleY, i, y + py + SampleOffsets.Jittered(_options, x + px, y + py, sample, 1));
+            }
+        }
+
+        _rays.Count = Pixels;
+        AimCamera();
+        R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
+        for (int packet = 0; packet < Pixels / R.Width; packet++)
+        {
+            R inside = R.Less(_pixelX[packet], right) & R.Less(_pixelY[packet], bottom);
+            _rays.Limit[packet] = R.Select(inside, R.Of(double.PositiveInfinity), R.Of(-1));
+        }
+    }
+
+    private void AimCamera()
+    {
+        if (_scene.Camera is IWideCamera wide)
+        {
+            RayColumns<R> columns = new()
+            {
+                OriginX = _rays.OriginX, OriginY = _rays.OriginY, OriginZ = _rays.OriginZ,
+                DirectionX = _rays.DirectionX, DirectionY = _rays.DirectionY, DirectionZ = _rays.DirectionZ,
+            };
+            wide.Rays(_sampleX, _sampleY, columns, Pixels / R.Width, _options.Width, _options.Height);
+            return;
+        }
+
+        for (int i = 0; i < Pixels; i++)
+        {
+            Put(_rays, i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
+        }
+    }
+
+    private void TracePrimary()
+    {
+        for (int i = 0; i < Pixels; i++)
+        {
+            _tracer.Pixels[i] = i;
+        }
+
+        Array.Fill(_tracer.Weights, Intensity.White);
+        Array.Clear(_tracer.Radiance);
+        _queue.Clear();
+        _tracer.Trace(_rays, 0, _queue);
+        Array.Copy(_tracer.Radiance, _sample, Pixels);
+    }
+
+    /// <summary>Level after level of reflection and refraction; each in batches, in the order in which they arose.</summary>
+    private void TraceSecondary()
+    {
+        for (int depth = 1; _queue.Count > 0; depth++)
+        {
+            _next.Clear();
+            for (int first = 0; first < _queue.Count; first += Pixels)
+            {
+                int count = Math.Min(Pixels, _queue.Count - first);
+                Load(first, count);
+                _tracer.Trace(_rays, depth, _next);
+                for (int i = 0; i < count; i++)
+                {
+                    _sample[_tracer.Pixels[i]] += _tracer.Radiance[i] * _tracer.Weights[i];
+                }
+            }
+
+            (_queue, _next) = (_next, _queue);
+        }
+    }
+
+    private void Load(int first, int count)
+    {
+        _rays.Count = count;
+        for (int i = 0; i < count; i++)
+        {
+            SecondaryRay secondary = _queue[first + i];
+            Put(_rays, i, secondary.Ray);
+            R.Put(_rays.Limit, i, double.PositiveInfinity);
+            _tracer.Weights[i] = secondary.Weight;
+            _tracer.Pixels[i] = secondary.Pixel;
+        }
+
+        _rays.PadTail();
+    }
+
+    private static void Put(RayBatch<R, F, I> rays, int i, in Ray ray)
+    {
+        R.Put(rays.OriginX, i, ray.Origin.X);
+        R.Put(rays.OriginY, i, ray.Origin.Y);
+        R.Put(rays.OriginZ, i, ray.Origin.Z);
+        R.Put(rays.DirectionX, i, ray.Direction.X);
+        R.Put(rays.DirectionY, i, ray.Direction.Y);
+        R.Put(rays.DirectionZ, i, ray.Direction.Z);
+    }
+
+    /// <summary>Means of the samples into the picture; what is not finite is counted and set to black.</summary>
+    private void Write(int x, int y, Picture picture)
+    {
+        float share = 1f / _options.Samples;
+        for (int i = 0; i < Pixels; i++)
+        {
+            (int px, int py) = Place(i);
+            int column = x + px - _area.X, row = y + py - _area.Y;
+            if (column >= _area.Width || row >= _area.Height)
+            {
+                continue;
+            }
+
+            Intensity color = _options.Samples == 1 ? _sum[i] : _sum[i] * share;
+            Counters.PrimaryRays += _options.Samples;
+            bool isFinite = color.IsFinite;
+            if (!isFinite)
+            {
+                Counters.Report(column + _area.X, row + _area.Y);
+                color = Intensity.Black;
+            }
+
+            picture[column, row] = _options.View != RenderView.Nan ? color
+                : isFinite ? Intensity.Grey(0.25f * Math.Clamp(color.Luminance, 0, 1))
+                : new Intensity(1, 0, 1);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+namespace LabRaytracer;
+
+/// <summary>Views that show geometry instead of light.</summary>
+internal static unsafe class ViewStage
+{
+    /// <summary>Columns of surface points that a view reads.</summary>
+    public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv
+        ? SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates
+        : SurfaceNeeds.None;
+
+    /// <summary>Writes the view's colours as radiance.</summary>
+    public static void Run<R, F, I>(
+        RenderView view, HitBatch<R, F, I> hits, int* order, int count, CompiledMaterial material, ShadingBuffers<R, F, I> buffers)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        for (int i = 0; i < count; i++)
+        {
+            buffers.Radiance.Put(i, view switch
+            {
+                RenderView.Uv => Coordinates(material.DefaultMapping, s, i),
+                RenderView.Normal => Half(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i)),
+                RenderView.Depth => Intensity.Grey((float)(1 / (1 + R.Take(hits.T, order[i])))),
+                _ => ObjectColor(((int*)hits.Object)[order[i]]),
+            });
+        }
+    }
+
+    /// <summary>The colour of an object's number: hues a golden angle apart.</summary>
+    private static Intensity ObjectColor(int number)
+    {
+        double hue = 6 * ((number * 0.6180339887498949) % 1);
+        return new Intensity(Channel(hue), Channel((hue + 4) % 6), Channel((hue + 2) % 6));
+    }
+
+    private static float Channel(double hue) => (float)Math.Clamp(Math.Abs(hue - 3) - 1, 0.05, 1);
+
+    private static Intensity Half(double x, double y, double z) => new((float)((x + 1) / 2), (float)((y + 1) / 2), (float)((z + 1) / 2));
+
+    private static Intensity Coordinates<R, F, I>(IMapping mapping, SurfaceBatch<R, F, I> s, int i)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        PositionBatch<R> at = s.Positions;
+        TextureCoordinate mapped = mapping.Map(new SurfacePosition(
+            new Point3D(R.Take(at.X, i), R.Take(at.Y, i), R.Take(at.Z, i)),
+            new Vector3D(R.Take(at.NormalX, i), R.Take(at.NormalY, i), R.Take(at.NormalZ, i)),
+            new TextureCoordinate(R.Take(at.SurfaceU, i), R.Take(at.SurfaceV, i))));
+        return new Intensity((float)(mapped.U - Math.Floor(mapped.U)), (float)(mapped.V - Math.Floor(mapped.V)), 0);
+    }
+}

@@ -1,0 +1,38 @@
+namespace LabRaytracer;
+
+/// <summary>Turns the normals of a group of hits to the viewer's side.</summary>
+internal static unsafe class ViewerStage
+{
+    /// <summary>Collects the rays' directions; normals of hits from inside are reversed and the hits marked.</summary>
+    /// <param name="rays">The rays that hit.</param>
+    /// <param name="order">Their numbers, padded to whole groups of lanes.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="buffers">Surface points; receives directions and the inside mask.</param>
+    public static void Run<R, F, I>(RayBatch<R, F, I> rays, int* order, int count, ShadingBuffers<R, F, I> buffers)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            I index = I.Load(order + (packet * R.Width));
+            R dx = R.Gather(rays.DirectionX, index), dy = R.Gather(rays.DirectionY, index), dz = R.Gather(rays.DirectionZ, index);
+            buffers.DirectionX[packet] = dx;
+            buffers.DirectionY[packet] = dy;
+            buffers.DirectionZ[packet] = dz;
+            R nx = s.NormalX[packet], ny = s.NormalY[packet], nz = s.NormalZ[packet];
+            R inside = R.Less(R.Zero, Lane.Dot(nx, ny, nz, dx, dy, dz));
+            buffers.Inside[packet] = inside;
+            if (R.Any(inside))
+            {
+                s.NormalX[packet] = R.Select(inside, -nx, nx);
+                s.NormalY[packet] = R.Select(inside, -ny, ny);
+                s.NormalZ[packet] = R.Select(inside, -nz, nz);
+                s.ShadingX[packet] = R.Select(inside, -s.ShadingX[packet], s.ShadingX[packet]);
+                s.ShadingY[packet] = R.Select(inside, -s.ShadingY[packet], s.ShadingY[packet]);
+                s.ShadingZ[packet] = R.Select(inside, -s.ShadingZ[packet], s.ShadingZ[packet]);
+            }
+        }
+    }
+}
