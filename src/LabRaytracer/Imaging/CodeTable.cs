@@ -1,6 +1,7 @@
 namespace LabRaytracer;
 
-/// <summary>Exactly rounded encoding of light to codes: a start from the top bits of the float, then comparisons with the exact thresholds.</summary>
+/// <summary>Exactly rounded encoding of light to codes: interpolation in the bits of the float guesses, comparison with exact thresholds decides.</summary>
+/// <remarks>Immutable, thread safe.</remarks>
 internal sealed class CodeTable
 {
     private readonly int maxCode;
@@ -10,16 +11,13 @@ internal sealed class CodeTable
     // thresholds[k] is the smallest float that gets code k; one more entry that nothing reaches.
     private readonly float[] thresholds;
 
-    // starts[i] is the code of the smallest float of bucket i.
-    private readonly ushort[] starts;
+    // guesses[i] is the code of the smallest float of bucket i, not rounded, plus 1/2, in steps of 2^-16.
+    private readonly uint[] guesses;
 
     /// <summary>Builds the table of a transfer function for codes 0..maxCode (255 or 65535).</summary>
     public CodeTable(TransferFunction transfer, int maxCode)
     {
         this.maxCode = maxCode;
-
-        // 128 or 1024 buckets an octave: an 8-bit sRGB bucket then holds one threshold at most.
-        shift = maxCode > 255 ? 13 : 16;
         thresholds = new float[maxCode + 2];
         thresholds[0] = float.NegativeInfinity;
         thresholds[maxCode + 1] = float.PositiveInfinity;
@@ -28,48 +26,19 @@ internal sealed class CodeTable
             thresholds[code] = RoundUp(transfer.Decode((code - 0.5) / maxCode));
         }
 
+        // 128 or 1024 buckets an octave: a straight line is then within 1/200 of a code of the sRGB curve, and a guess is seldom wrong.
+        shift = maxCode > 255 ? 13 : 16;
         firstBits = BitConverter.SingleToInt32Bits(thresholds[1]) >> shift << shift;
-        int buckets = ((BitConverter.SingleToInt32Bits(thresholds[maxCode]) - firstBits) >> shift) + 2;
-        starts = new ushort[buckets];
-        int start = 0;
-        for (int bucket = 0; bucket < buckets; bucket++)
+        guesses = new uint[((BitConverter.SingleToInt32Bits(thresholds[maxCode]) - firstBits) >> shift) + 2];
+        for (int bucket = 0; bucket < guesses.Length; bucket++)
         {
-            float lowest = BitConverter.Int32BitsToSingle(firstBits + (bucket << shift));
-            while (thresholds[start + 1] <= lowest)
-            {
-                start++;
-            }
-
-            starts[bucket] = (ushort)start;
+            double lowest = BitConverter.Int32BitsToSingle(firstBits + (bucket << shift));
+            guesses[bucket] = (uint)(((Math.Min(transfer.Encode(lowest), 1) * maxCode) + 0.5) * 65536);
         }
     }
 
-    /// <summary>The code of a light, for tables with few thresholds in a bucket.</summary>
-    public int Encode8(float light)
-    {
-        float[] table = thresholds;
-        if (!(light >= table[1]))
-        {
-            return 0;
-        }
-
-        if (light >= table[maxCode])
-        {
-            return maxCode;
-        }
-
-        int code = starts[(BitConverter.SingleToInt32Bits(light) - firstBits) >> shift];
-        code += light >= table[code + 1] ? 1 : 0;
-        while (light >= table[code + 1])
-        {
-            code++;
-        }
-
-        return code;
-    }
-
-    /// <summary>The code of a light, for tables with many thresholds in a bucket: linear interpolation guesses, comparison decides.</summary>
-    public int Encode16(float light)
+    /// <summary>The code whose interval holds a light; 0 for NaN and negative light, the largest above 1.</summary>
+    public int Encode(float light)
     {
         float[] table = thresholds;
         if (!(light >= table[1]))
@@ -84,8 +53,9 @@ internal sealed class CodeTable
 
         int offset = BitConverter.SingleToInt32Bits(light) - firstBits;
         int bucket = offset >> shift;
-        int rest = offset & ((1 << shift) - 1);
-        int code = starts[bucket] + (((starts[bucket + 1] - starts[bucket]) * rest) >> shift);
+        ulong rest = (uint)offset & ((1u << shift) - 1);
+        uint guess = guesses[bucket] + (uint)(((guesses[bucket + 1] - guesses[bucket]) * rest) >> shift);
+        int code = (int)(guess >> 16);
         while (light >= table[code + 1])
         {
             code++;

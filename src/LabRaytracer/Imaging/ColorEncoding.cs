@@ -30,11 +30,11 @@ public static class ColorEncoding
 
     /// <summary>The 8-bit sRGB code whose interval holds the light, 0..255.</summary>
     /// <param name="light">Linear light; clamped to [0, 1], NaN gives 0.</param>
-    public static byte Srgb8FromLinear(float light) => (byte)SrgbEncode8.Encode8(light);
+    public static byte Srgb8FromLinear(float light) => (byte)SrgbEncode8.Encode(light);
 
     /// <summary>The 16-bit sRGB code whose interval holds the light, 0..65535.</summary>
     /// <param name="light">Linear light; clamped to [0, 1], NaN gives 0.</param>
-    public static ushort Srgb16FromLinear(float light) => (ushort)SrgbEncode16.Value.Encode16(light);
+    public static ushort Srgb16FromLinear(float light) => (ushort)SrgbEncode16.Value.Encode(light);
 
     /// <summary>The linear 8-bit code floor(255 light + 1/2), 0..255.</summary>
     /// <param name="light">Linear light; clamped to [0, 1], NaN gives 0.</param>

@@ -107,7 +107,7 @@ public sealed class HdrCodec : IPictureCodec
         throw input.Bad($"the header has more than {MaxHeaderLines} lines");
     }
 
-    /// <summary>Mantissas in steps of 2^(e - 136). No half step is added (Radiance does, for its truncating writer), so that 0 stays 0 and what we write comes back.</summary>
+    /// <summary>Mantissas in steps of 2^(e - 136). No half step is added (Radiance does): 0 stays 0.</summary>
     private static void Decode(ReadOnlySpan<byte> rgbe, double scale, Span<float> target)
     {
         double step = rgbe[3] == 0 ? 0 : Math.ScaleB(scale, rgbe[3] - 136);

@@ -35,9 +35,9 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
         for (int x = 0, i = 0; x < row.Length; x++, i += 3)
         {
             Intensity light = row[x];
-            target[i] = (byte)codes.Encode8(light.R);
-            target[i + 1] = (byte)codes.Encode8(light.G);
-            target[i + 2] = (byte)codes.Encode8(light.B);
+            target[i] = (byte)codes.Encode(light.R);
+            target[i + 1] = (byte)codes.Encode(light.G);
+            target[i + 2] = (byte)codes.Encode(light.B);
         }
     }
 
@@ -63,7 +63,7 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
         }
     }
 
-    private byte Code8(float light) => (byte)(table?.Encode8(light) ?? ColorEncoding.LinearCode(light, 255));
+    private byte Code8(float light) => (byte)(table?.Encode(light) ?? ColorEncoding.LinearCode(light, 255));
 
-    private ushort Code16(float light) => (ushort)(table?.Encode16(light) ?? ColorEncoding.LinearCode(light, 65535));
+    private ushort Code16(float light) => (ushort)(table?.Encode(light) ?? ColorEncoding.LinearCode(light, 65535));
 }
