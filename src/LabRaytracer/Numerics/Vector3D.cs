@@ -33,7 +33,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
                 return largest;
             }
 
-            double scale = Math.ScaleB(1, Math.Max(-1022, -Math.ILogB(largest)));
+            double scale = Math.ScaleB(1, Math.Clamp(-Math.ILogB(largest), -1022, 1022));
             return Math.Sqrt((this * scale).LengthSquared) / scale;
         }
     }
