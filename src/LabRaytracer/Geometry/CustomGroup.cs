@@ -43,7 +43,7 @@ internal sealed unsafe class CustomGroup<R, F, I> : ShapeGroup<R, F, I>
         for (int ray = first * R.Width; ray < Math.Min(end * R.Width, rays.Count); ray++)
         {
             double limit = R.Take(rays.Limit, ray);
-            if (limit > 0 && shape.Intersect(transform.ObjectFromWorld(rays[ray]), limit, out _))
+            if (limit > 0 && shape.Intersect(transform.ObjectFromWorld(rays[ray]), limit, out Hit hit) && hit.T < limit)
             {
                 R.Put(rays.Limit, ray, -1);
             }

@@ -85,26 +85,34 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
         }
     }
 
-    /// <summary>Writes one surface point, taken from object space to world space.</summary>
-    public void Put(int element, in SurfacePoint s, Transform transform)
+    /// <summary>Writes one surface point, taken from object space to world space by the formulas of built-in shapes.</summary>
+    public void Put(int element, in SurfacePoint point, Transform transform)
     {
-        Point3D point = transform.WorldFromObject(s.Point);
-        Vector3D normal = transform.WorldNormalFromObject(s.Normal).Normalized();
-        Vector3D shading = transform.WorldNormalFromObject(s.ShadingNormal).Normalized();
-        Put(element, PointX, PointY, PointZ, point.ToVector());
-        Put(element, NormalX, NormalY, NormalZ, normal);
-        Put(element, ShadingX, ShadingY, ShadingZ, shading);
-        Put(element, Positions.X, Positions.Y, Positions.Z, s.Position.LocalPoint.ToVector());
-        Put(element, Positions.NormalX, Positions.NormalY, Positions.NormalZ, s.Position.LocalNormal);
-        R.Put(Positions.SurfaceU, element, s.Position.Surface.U);
-        R.Put(Positions.SurfaceV, element, s.Position.Surface.V);
-        R.Put(Slack, element, transform.WorldSlack(s.Point, s.Slack) + (R.IsSingle ? point.ToVector().Length * 1e-6 : 0));
+        SurfaceLanes<Double1> s = SurfaceLanes.Of(point);
+        if (!transform.IsIdentity)
+        {
+            Double1* numbers = stackalloc Double1[WorldSpace.ParameterCount];
+            WorldSpace.Describe(transform, new Span<double>(numbers, WorldSpace.ParameterCount));
+            WorldSpace.FromObject(new SharedParameters<Double1, Float1, Int1>(numbers, 0), ref s);
+        }
+
+        Put(element, PointX, PointY, PointZ, s.PointX, s.PointY, s.PointZ);
+        Put(element, NormalX, NormalY, NormalZ, s.NormalX, s.NormalY, s.NormalZ);
+        Put(element, ShadingX, ShadingY, ShadingZ, s.ShadingX, s.ShadingY, s.ShadingZ);
+        Put(element, Positions.X, Positions.Y, Positions.Z, s.LocalX, s.LocalY, s.LocalZ);
+        Put(element, Positions.NormalX, Positions.NormalY, Positions.NormalZ, s.LocalNormalX, s.LocalNormalY, s.LocalNormalZ);
+        R.Put(Positions.SurfaceU, element, s.SurfaceU.Value);
+        R.Put(Positions.SurfaceV, element, s.SurfaceV.Value);
+
+        // Float lanes round the point once more.
+        double size = Math.Abs(s.PointX.Value) + Math.Abs(s.PointY.Value) + Math.Abs(s.PointZ.Value);
+        R.Put(Slack, element, s.Slack.Value + (R.IsSingle ? Lane.Slack(new Float1((float)size)).Value : 0));
     }
 
-    private static void Put(int element, R* x, R* y, R* z, Vector3D value)
+    private static void Put(int element, R* toX, R* toY, R* toZ, Double1 x, Double1 y, Double1 z)
     {
-        R.Put(x, element, value.X);
-        R.Put(y, element, value.Y);
-        R.Put(z, element, value.Z);
+        R.Put(toX, element, x.Value);
+        R.Put(toY, element, y.Value);
+        R.Put(toZ, element, z.Value);
     }
 }

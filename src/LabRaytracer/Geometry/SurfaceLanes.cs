@@ -26,3 +26,19 @@ internal struct SurfaceLanes<R>
     /// <summary>Bound of the error of each coordinate of the point.</summary>
     public R Slack;
 }
+
+/// <summary>Between one surface point and lanes.</summary>
+internal static class SurfaceLanes
+{
+    /// <summary>A surface point as one lane.</summary>
+    public static SurfaceLanes<Double1> Of(in SurfacePoint s) => new()
+    {
+        PointX = new(s.Point.X), PointY = new(s.Point.Y), PointZ = new(s.Point.Z),
+        NormalX = new(s.Normal.X), NormalY = new(s.Normal.Y), NormalZ = new(s.Normal.Z),
+        ShadingX = new(s.ShadingNormal.X), ShadingY = new(s.ShadingNormal.Y), ShadingZ = new(s.ShadingNormal.Z),
+        LocalX = new(s.Position.LocalPoint.X), LocalY = new(s.Position.LocalPoint.Y), LocalZ = new(s.Position.LocalPoint.Z),
+        LocalNormalX = new(s.Position.LocalNormal.X), LocalNormalY = new(s.Position.LocalNormal.Y), LocalNormalZ = new(s.Position.LocalNormal.Z),
+        SurfaceU = new(s.Position.Surface.U), SurfaceV = new(s.Position.Surface.V),
+        Slack = new(s.Slack),
+    };
+}

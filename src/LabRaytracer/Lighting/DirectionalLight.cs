@@ -1,8 +1,10 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Parallel light from infinitely far away, such as the sun (Polish: światło kierunkowe).</summary>
 /// <remarks>Immutable, thread safe.</remarks>
-public sealed class DirectionalLight : Light
+public sealed class DirectionalLight : Light, IWideLight
 {
     /// <summary>Creates directional light.</summary>
     /// <param name="direction">Direction in which the light travels, world space; any finite length above 0.</param>
@@ -20,10 +22,26 @@ public sealed class DirectionalLight : Light
     /// <summary>Linear intensity, at least 0.</summary>
     public Intensity Intensity { get; }
 
+    private Formula Own => new(Direction, Intensity);
+
     /// <inheritdoc/>
-    public override bool TrySample(Point3D point, out LightSample sample)
+    public override bool TrySample(Point3D point, out LightSample sample) => LightFormulas.TrySample(Own, point, out sample);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    void IWideLight.Sample<R, F, I>(SurfaceBatch<R, F, I> surfaces, in LightColumns<R, F> samples, int packets) =>
+        LightFormulas.Sample(Own, surfaces, samples, packets);
+
+    private readonly record struct Formula(Vector3D Direction, Intensity Intensity) : ILightFormula
     {
-        sample = new LightSample(-Direction, double.PositiveInfinity, Intensity);
-        return true;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Sample<R>(R x, R y, R z, out LightLanes<R> sample)
+            where R : unmanaged, IReal<R>
+        {
+            sample.DirectionX = R.Of(-Direction.X);
+            sample.DirectionY = R.Of(-Direction.Y);
+            sample.DirectionZ = R.Of(-Direction.Z);
+            sample.Distance = R.Of(double.PositiveInfinity);
+            sample.Share = R.Of(1);
+        }
     }
 }

@@ -1,8 +1,10 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>A lamp at a point that shines in all directions (Polish: światło punktowe).</summary>
 /// <remarks>Immutable, thread safe.</remarks>
-public sealed class PointLight : Light
+public sealed class PointLight : Light, IWideLight
 {
     /// <summary>Creates a point light.</summary>
     /// <param name="position">Position, world space; finite.</param>
@@ -23,12 +25,23 @@ public sealed class PointLight : Light
     /// <summary>How the light fades with distance. Default: not at all.</summary>
     public Attenuation Attenuation { get; init; } = Attenuation.None;
 
+    private Formula Own => new(Position, Intensity, Attenuation);
+
     /// <inheritdoc/>
-    public override bool TrySample(Point3D point, out LightSample sample)
+    public override bool TrySample(Point3D point, out LightSample sample) => LightFormulas.TrySample(Own, point, out sample);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    void IWideLight.Sample<R, F, I>(SurfaceBatch<R, F, I> surfaces, in LightColumns<R, F> samples, int packets) =>
+        LightFormulas.Sample(Own, surfaces, samples, packets);
+
+    private readonly record struct Formula(Point3D Position, Intensity Intensity, Attenuation Attenuation) : ILightFormula
     {
-        Vector3D toLight = Position - point;
-        double distance = Math.Sqrt(toLight.LengthSquared);
-        sample = new LightSample(toLight / distance, distance, Intensity * (float)Attenuation.At(distance));
-        return distance > 0;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Sample<R>(R x, R y, R z, out LightLanes<R> sample)
+            where R : unmanaged, IReal<R>
+        {
+            R away = LightFormulas.Towards(Position, x, y, z, out sample);
+            sample.Share = away & LightFormulas.Fade(Attenuation, sample.Distance);
+        }
     }
 }

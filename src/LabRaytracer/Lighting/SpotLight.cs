@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>A lamp at a point that shines into a cone (Polish: reflektor).</summary>
@@ -5,7 +7,7 @@ namespace LabRaytracer;
 /// Immutable, thread safe. Full intensity inside the inner cone, none outside the outer one, in between a smooth step
 /// s^2 (3 - 2 s) of the cosine of the angle to the axis.
 /// </remarks>
-public sealed class SpotLight : Light
+public sealed class SpotLight : Light, IWideLight
 {
     /// <summary>Creates a spot light.</summary>
     /// <param name="position">Position, world space; finite.</param>
@@ -59,16 +61,29 @@ public sealed class SpotLight : Light
     /// <summary>Cosine of the inner angle.</summary>
     internal double CosInner { get; }
 
+    private Formula Own => new(this, Intensity);
+
     /// <inheritdoc/>
-    public override bool TrySample(Point3D point, out LightSample sample)
+    public override bool TrySample(Point3D point, out LightSample sample) => LightFormulas.TrySample(Own, point, out sample);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    void IWideLight.Sample<R, F, I>(SurfaceBatch<R, F, I> surfaces, in LightColumns<R, F> samples, int packets) =>
+        LightFormulas.Sample(Own, surfaces, samples, packets);
+
+    private readonly record struct Formula(SpotLight Light, Intensity Intensity) : ILightFormula
     {
-        Vector3D toLight = Position - point;
-        double distance = Math.Sqrt(toLight.LengthSquared);
-        Vector3D direction = toLight / distance;
-        double cos = -Vector3D.Dot(direction, Direction);
-        double step = CosInner > CosOuter ? Math.Clamp((cos - CosOuter) / (CosInner - CosOuter), 0, 1) : cos >= CosOuter ? 1 : 0;
-        double share = step * step * (3 - (2 * step));
-        sample = new LightSample(direction, distance, Intensity * (float)(share * Attenuation.At(distance)));
-        return distance > 0 && share > 0;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Sample<R>(R x, R y, R z, out LightLanes<R> sample)
+            where R : unmanaged, IReal<R>
+        {
+            R away = LightFormulas.Towards(Light.Position, x, y, z, out sample);
+            R cosine = -Lane.Dot(
+                sample.DirectionX, sample.DirectionY, sample.DirectionZ, R.Of(Light.Direction.X), R.Of(Light.Direction.Y), R.Of(Light.Direction.Z));
+            R step = Light.CosInner > Light.CosOuter
+                ? R.Max(R.Min((cosine - R.Of(Light.CosOuter)) / R.Of(Light.CosInner - Light.CosOuter), R.Of(1)), R.Zero)
+                : R.LessOrEqual(R.Of(Light.CosOuter), cosine) & R.Of(1);
+            R share = step * step * R.Fma(R.Of(-2), step, R.Of(3));
+            sample.Share = away & (share * LightFormulas.Fade(Light.Attenuation, sample.Distance));
+        }
     }
 }
