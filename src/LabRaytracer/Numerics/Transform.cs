@@ -118,20 +118,6 @@ public sealed class Transform
             (m[2] * objectNormal.X) + (m[6] * objectNormal.Y) + (m[10] * objectNormal.Z));
     }
 
-    /// <summary>Bound of the error of a world-space point whose object-space coordinates are wrong by at most <paramref name="slack"/>.</summary>
-    internal double WorldSlack(Point3D objectPoint, double slack)
-    {
-        double worst = 0;
-        for (int row = 0; row < 12; row += 4)
-        {
-            double mx = Math.Abs(_worldFromObject[row]), my = Math.Abs(_worldFromObject[row + 1]), mz = Math.Abs(_worldFromObject[row + 2]);
-            double size = (mx * Math.Abs(objectPoint.X)) + (my * Math.Abs(objectPoint.Y)) + (mz * Math.Abs(objectPoint.Z)) + Math.Abs(_worldFromObject[row + 3]);
-            worst = Math.Max(worst, ((mx + my + mz) * slack) + Lane.Slack(new Double1(size)).Value);
-        }
-
-        return worst;
-    }
-
     private static Point3D Apply(double[] m, Point3D p) => new(
         Row(m, 0, p.X, p.Y, p.Z) + m[3],
         Row(m, 4, p.X, p.Y, p.Z) + m[7],
