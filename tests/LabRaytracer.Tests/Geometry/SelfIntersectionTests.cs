@@ -38,7 +38,7 @@ public sealed class SelfIntersectionTests
                 run.Nearest();
                 int[] hits = run.Surface();
                 double[][] surfaces = [.. hits.Select((_, element) => run.SurfaceNumbers(element))];
-                run.SetRays([.. surfaces.Select(s => Secondary(s, cases, 1, R.IsSingle))]);
+                run.SetRays([.. surfaces.Select(s => Leaving(s, cases, R.IsSingle))]);
                 run.Nearest();
                 left += surfaces.Length;
                 for (int ray = 0; ray < surfaces.Length; ray++)
@@ -51,7 +51,7 @@ public sealed class SelfIntersectionTests
                     }
                 }
 
-                run.SetRays([.. surfaces.Select(s => Secondary(s, cases, -1, R.IsSingle))]);
+                run.SetRays([.. surfaces.Select(s => Inward(s, transform.WorldFromObject(center + (cases.UnitVector() * (0.2 * size)))))]);
                 run.Nearest();
                 for (int ray = 0; ray < surfaces.Length; ray++)
                 {
@@ -68,14 +68,21 @@ public sealed class SelfIntersectionTests
         private static string Describe(int shape, double size, Point3D center, double[] s, double t) =>
             $"shape {shape} size {size:g3} centre {center}, point ({s[0]}, {s[1]}, {s[2]}), slack {s[17]:g3}, t {t:g3}";
 
-        private static Ray Secondary(double[] s, ShapeCases cases, double side, bool isSingle)
+        private static Ray Leaving(double[] s, ShapeCases cases, bool isSingle)
         {
             // One in three almost along the surface, but not so much that rounding the direction turns it to the other side.
-            Vector3D normal = new Vector3D(s[3], s[4], s[5]) * side;
+            Vector3D normal = new(s[3], s[4], s[5]);
             Vector3D random = cases.UnitVector();
             double up = Vector3D.Dot(random, normal);
             random = cases.Number(0, 3) < 1 ? random - (normal * (up - cases.Scale(isSingle ? -5 : -13, -1))) : up < 0 ? -random : random;
             return new Ray(new Point3D(s[0], s[1], s[2]) + (normal * s[17]), random.Normalized());
+        }
+
+        /// <summary>From just below the surface to a point well inside: near an edge any other ray may leave at once.</summary>
+        private static Ray Inward(double[] s, Point3D inside)
+        {
+            Point3D start = new Point3D(s[0], s[1], s[2]) - (new Vector3D(s[3], s[4], s[5]) * s[17]);
+            return new Ray(start, (inside - start).Normalized());
         }
     }
 }
