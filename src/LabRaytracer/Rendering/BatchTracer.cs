@@ -28,7 +28,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         _lights = new LightStage<R, F, I>(scene, _buffers, counters);
         _secondary = new SecondaryRays(capacity);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters);
-        Radiance = new Intensity[capacity];
+        Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
         Pixels = new int[capacity];
     }
@@ -40,7 +40,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     public WorkerCounters Counters { get; }
 
     /// <summary>Result: light that each ray of the batch brings, unweighted.</summary>
-    public Intensity[] Radiance { get; }
+    public ColorColumns<F> Radiance { get; }
 
     /// <summary>Weight of each ray of the batch.</summary>
     public Intensity[] Weights { get; }
@@ -102,11 +102,19 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Counters.Charge(RenderStage.Combine);
     }
 
+    /// <summary>Radiance of a group back into the order of the batch.</summary>
     private void Scatter(int* order, int count)
+    {
+        Scatter(order, count, (float*)_buffers.Radiance.R, (float*)Radiance.R);
+        Scatter(order, count, (float*)_buffers.Radiance.G, (float*)Radiance.G);
+        Scatter(order, count, (float*)_buffers.Radiance.B, (float*)Radiance.B);
+    }
+
+    private static void Scatter(int* order, int count, float* from, float* to)
     {
         for (int i = 0; i < count; i++)
         {
-            Radiance[order[i]] = _buffers.Radiance.Take(i);
+            to[order[i]] = from[i];
         }
     }
 }

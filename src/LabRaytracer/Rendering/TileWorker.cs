@@ -22,8 +22,8 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     private readonly R* _pixelY;
     private readonly R* _sampleX;
     private readonly R* _sampleY;
-    private readonly Intensity[] _sample = new Intensity[Pixels];
-    private readonly Intensity[] _sum = new Intensity[Pixels];
+    private readonly TileColors<F> _colors;
+    private bool _hasPrimaryOrder;
     private List<SecondaryRay> _queue = [];
     private List<SecondaryRay> _next = [];
 
@@ -41,6 +41,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         _pixelY = _memory.Column<R>(Pixels, R.Width);
         _sampleX = _memory.Column<R>(Pixels, R.Width);
         _sampleY = _memory.Column<R>(Pixels, R.Width);
+        _colors = new TileColors<F>(_memory, Pixels);
         for (int i = 0; i < Pixels; i++)
         {
             (int x, int y) = Place(i);
@@ -56,16 +57,19 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     public void Render(int x, int y, Picture picture)
     {
         Counters.Start();
-        Array.Clear(_sum);
         for (int sample = 0; sample < _options.Samples; sample++)
         {
             Aim(x, y, sample);
             Counters.Charge(RenderStage.Camera);
             TracePrimary();
             TraceSecondary();
-            for (int i = 0; i < Pixels; i++)
+            if (sample == 0)
             {
-                _sum[i] += _sample[i];
+                _colors.StartSum();
+            }
+            else
+            {
+                _colors.AddToSum();
             }
         }
 
@@ -82,6 +86,10 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         int across = Side / Block;
         return (((block % across) * Block) + (inside % Block), ((block / across) * Block) + (inside / Block));
     }
+
+    /// <summary>Number of the pixel at a position of its tile: the inverse of <see cref="Place"/>.</summary>
+    private static int Number(int x, int y) =>
+        (((((y / Block) * (Side / Block)) + (x / Block)) * Block) + (y % Block)) * Block + (x % Block);
 
     /// <summary>Camera rays of one sample of every pixel; pixels outside the picture are off.</summary>
     private void Aim(int x, int y, int sample)
@@ -136,16 +144,20 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
 
     private void TracePrimary()
     {
-        for (int i = 0; i < Pixels; i++)
+        if (!_hasPrimaryOrder)
         {
-            _tracer.Pixels[i] = i;
+            for (int i = 0; i < Pixels; i++)
+            {
+                _tracer.Pixels[i] = i;
+                _tracer.Weights[i] = Intensity.White;
+            }
+
+            _hasPrimaryOrder = true;
         }
 
-        Array.Fill(_tracer.Weights, Intensity.White);
-        Array.Clear(_tracer.Radiance);
         _queue.Clear();
         _tracer.Trace(_rays, 0, _queue);
-        Array.Copy(_tracer.Radiance, _sample, Pixels);
+        _colors.SetSample(_tracer.Radiance);
     }
 
     /// <summary>Level after level of reflection and refraction; each in batches, in the order in which they arose.</summary>
@@ -161,7 +173,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
                 _tracer.Trace(_rays, depth, _next);
                 for (int i = 0; i < count; i++)
                 {
-                    _sample[_tracer.Pixels[i]] += _tracer.Radiance[i] * _tracer.Weights[i];
+                    _colors.AddToSample(_tracer.Pixels[i], _tracer.Radiance.Take(i) * _tracer.Weights[i]);
                 }
             }
 
@@ -172,6 +184,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     private void Load(int first, int count)
     {
         _rays.Count = count;
+        _hasPrimaryOrder = false;
         for (int i = 0; i < count; i++)
         {
             SecondaryRay secondary = _queue[first + i];
@@ -197,28 +210,32 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     /// <summary>Means of the samples into the picture; what is not finite is counted and set to black.</summary>
     private void Write(int x, int y, Picture picture)
     {
-        float share = 1f / _options.Samples;
-        for (int i = 0; i < Pixels; i++)
+        _colors.Average(_options.Samples);
+        int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
+        Counters.PrimaryRays += (long)width * height * _options.Samples;
+        bool isPlain = _colors.IsFinite && _options.View != RenderView.Nan;
+        for (int row = 0; row < height; row++)
         {
-            (int px, int py) = Place(i);
-            int column = x + px - _area.X, row = y + py - _area.Y;
-            if (column >= _area.Width || row >= _area.Height)
+            Span<Intensity> pixels = picture.Row(y - _area.Y + row).Slice(x - _area.X, width);
+            for (int column = 0; column < width; column++)
             {
-                continue;
+                Intensity color = _colors[Number(column, row)];
+                pixels[column] = isPlain ? color : Checked(color, x + column, y + row);
             }
-
-            Intensity color = _options.Samples == 1 ? _sum[i] : _sum[i] * share;
-            Counters.PrimaryRays += _options.Samples;
-            bool isFinite = color.IsFinite;
-            if (!isFinite)
-            {
-                Counters.Report(column + _area.X, row + _area.Y);
-                color = Intensity.Black;
-            }
-
-            picture[column, row] = _options.View != RenderView.Nan ? color
-                : isFinite ? Intensity.Grey(0.25f * Math.Clamp(color.Luminance, 0, 1))
-                : new Intensity(1, 0, 1);
         }
+    }
+
+    /// <summary>A colour that is safe to leave the renderer; what is not finite is counted.</summary>
+    private Intensity Checked(Intensity color, int x, int y)
+    {
+        bool isFinite = color.IsFinite;
+        if (!isFinite)
+        {
+            Counters.Report(x, y);
+        }
+
+        return _options.View != RenderView.Nan ? (isFinite ? color : Intensity.Black)
+            : isFinite ? Intensity.Grey(0.25f * Math.Clamp(color.Luminance, 0, 1))
+            : new Intensity(1, 0, 1);
     }
 }
