@@ -58,6 +58,11 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         for (int packet = first; packet < end; packet++)
         {
             R limit = rays.Limit[packet];
+            if (!R.Any(R.Less(R.Zero, limit)))
+            {
+                continue;
+            }
+
             RayLanes<R> ray = rays.Load(packet);
             R mask = K.Intersect(shape, ray, out R t) & R.Less(t, limit);
             rays.Limit[packet] = R.Select(mask, R.Of(-1), limit);
