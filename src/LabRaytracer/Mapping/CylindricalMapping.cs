@@ -25,7 +25,7 @@ public sealed class CylindricalMapping : IWideMapping
     public TextureWrap DefaultWrapV => TextureWrap.Clamp;
 
     /// <summary>Texture coordinates of a point.</summary>
-    /// <param name="localPoint">The point in object space; finite.</param>
+    /// <param name="localPoint">The point in object space. For the angles NaN counts as 0 and infinity as the largest number: they stay in range.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public TextureCoordinate Map(Point3D localPoint) => PointFormulas.Map<Formula>(localPoint);
 

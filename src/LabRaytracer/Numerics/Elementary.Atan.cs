@@ -12,6 +12,7 @@ internal static partial class Elementary
     private const double MostOrdinarySingle = 1152921504606846976;
 
     /// <summary>Azimuth of the point (x, y) of a plane: turns from the x axis towards the y axis, [0, 1); 0 at the origin.</summary>
+    /// <remarks>Error at most 1 ulp, as <see cref="SphereTurns{T}(T, T, T)"/>.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Atan2Turns<T>(T y, T x)
         where T : unmanaged, IReal<T> => SphereTurns(y, T.Zero, x).Azimuth;
@@ -23,6 +24,7 @@ internal static partial class Elementary
     /// <remarks>
     /// Any input has a result in these ranges: a NaN coordinate counts as 0, an infinite one as the largest finite number.
     /// The length of (x, y, z) does not matter; polar form, so that nothing cancels near the poles.
+    /// Error of both at most 1 ulp (SphericalOracleTests: 0.83 in double lanes, 0.88 in float lanes), except that u just below 1 never rounds up to 1.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static (T Azimuth, T Height) SphereTurns<T>(T x, T y, T z)
@@ -87,7 +89,7 @@ internal static partial class Elementary
         return radius;
     }
 
-    /// <summary>Distance of (x, z) from the origin, without overflow or underflow on the way.</summary>
+    /// <summary>Distance of (x, z) from the origin, without overflow or underflow on the way; error at most 1 ulp.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Hypotenuse<T>(T x, T z)
         where T : unmanaged, IReal<T>

@@ -7,12 +7,14 @@ internal static partial class Elementary
 {
     /// <summary>2 to the power of a number.</summary>
     /// <param name="x">Exponent, any; results beyond the lane's range are 0 or infinity.</param>
+    /// <remarks>Error at most 1.5 ulp (ElementaryOracleTests: 0.66).</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Exp2<T>(T x)
         where T : unmanaged, IReal<T> => Exp2(x, T.Zero);
 
     /// <summary>Binary logarithm.</summary>
     /// <param name="x">Number, (0, +inf), also subnormal.</param>
+    /// <remarks>Error at most 1.5 ulp (ElementaryOracleTests: 0.50).</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Log2<T>(T x)
         where T : unmanaged, IReal<T>
@@ -24,6 +26,10 @@ internal static partial class Elementary
     /// <summary><paramref name="x"/> to the power of <paramref name="y"/>; 0^0 = 1, 0^y = 0 and 1^y = 1 exactly.</summary>
     /// <param name="x">Base, [0, +inf).</param>
     /// <param name="y">Exponent, finite; not below 0 where the base is 0.</param>
+    /// <remarks>
+    /// For x in (0, 1] and y in [0, 1e5], normal results: error at most 4 ulp in float lanes (ElementaryOracleTests: 1.17),
+    /// 24 ulp in double lanes (13.8), where the logarithm would need three parts to be as good.
+    /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static T Pow<T>(T x, T y)
         where T : unmanaged, IReal<T>
@@ -77,8 +83,8 @@ internal static partial class Elementary
         T s = q * q;
         T leading = T.Of(2.8853900817779268);
         T product = q * leading;
-        T tail = q * T.Fma(s, T.IsSingle ? Log2TailSingle(s) : Log2TailDouble(s), T.Of(T.IsSingle ? 3.851926067000022e-08 : 4.0710547481862066e-17));
-        T rest = T.Fma(q, leading, -product) + T.Fma(qError, leading, tail);
+        T tail = T.Fma(s, T.IsSingle ? Log2TailSingle(s) : Log2TailDouble(s), T.Of(T.IsSingle ? 3.851926067000022e-08 : 4.0710547481862066e-17));
+        T rest = T.Fma(q, leading, -product) + T.Fma(qError, leading, q * tail);
         T sum = exponent + product;
         rest += product - (sum - exponent);
         high = sum + rest;

