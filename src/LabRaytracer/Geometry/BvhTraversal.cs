@@ -1,0 +1,101 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Takes a group of lanes of rays through a tree of boxes, nearer children first.</summary>
+/// <remarks>
+/// Boxes only ever save work: the leaf decides about hits, and no leaf is left out that holds one within the limit, ties included. So the result does not depend on
+/// the tree, on the order of traversal, or on which rays travel together.
+/// </remarks>
+internal static unsafe class BvhTraversal
+{
+    /// <summary>Visits the leaves that rays may hit.</summary>
+    /// <param name="tree">The tree.</param>
+    /// <param name="ray">Rays in the tree's space; any finite directions.</param>
+    /// <param name="limit">Largest ray parameters of interest; lanes with a limit not above 0 are off.</param>
+    /// <param name="leaf">What happens at leaves. The search ends when it has brought every limit below 0.</param>
+    public static void Run<R, F, I, TLeaf>(Bvh tree, in RayLanes<R> ray, R limit, ref TLeaf leaf)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+        where TLeaf : struct, IBvhLeaf<R>
+    {
+        if (tree.ItemCount == 0)
+        {
+            return;
+        }
+
+        BvhRay<R, F, I> boxRay = BvhRay<R, F, I>.Prepare(tree, ray, ref limit, out R toFloat);
+        if (boxRay.Active == 0)
+        {
+            return;
+        }
+
+        if (boxRay.SharesSigns)
+        {
+            BvhOctantTest<F> test = new(boxRay.NegativeX != 0, boxRay.NegativeY != 0, boxRay.NegativeZ != 0);
+            Descend<R, F, I, TLeaf, BvhOctantTest<F>>(tree, boxRay, toFloat, limit, test, ref leaf);
+        }
+        else
+        {
+            Descend<R, F, I, TLeaf, BvhMixedTest<F>>(tree, boxRay, toFloat, limit, default, ref leaf);
+        }
+    }
+
+    [SkipLocalsInit]
+    private static void Descend<R, F, I, TLeaf, TTest>(Bvh tree, in BvhRay<R, F, I> ray, R toFloat, R limit, TTest test, ref TLeaf leaf)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+        where TLeaf : struct, IBvhLeaf<R>
+        where TTest : struct, IBvhBoxTest<F>
+    {
+        int* pending = stackalloc int[Bvh.MaximumDepth + 2];
+        int depth = 0;
+        int secondFirst = ray.SecondChildFirst;
+        BvhSlab<F> x = ray.X, y = ray.Y, z = ray.Z;
+        F boxLimit = BvhRay<R, F, I>.LimitOf(limit, toFloat);
+        BvhNode* nodes = tree.Nodes;
+        BvhNode* node = nodes;
+        if (!test.Meets(node, x, y, z, boxLimit))
+        {
+            return;
+        }
+
+        while (true)
+        {
+            if (node->Count <= 0)
+            {
+                int first = node->First;
+                bool meetsFirst = test.Meets(nodes + first, x, y, z, boxLimit);
+                bool meetsSecond = test.Meets(nodes + first + 1, x, y, z, boxLimit);
+                if (meetsFirst | meetsSecond)
+                {
+                    int nearer = meetsFirst & meetsSecond ? (secondFirst >> -node->Count) & 1 : (meetsSecond ? 1 : 0);
+                    if (meetsFirst & meetsSecond)
+                    {
+                        pending[depth++] = first + 1 - nearer;
+                    }
+
+                    node = nodes + first + nearer;
+                    continue;
+                }
+            }
+            else if (leaf.Visit(node->First, node->Count, ref limit))
+            {
+                boxLimit = BvhRay<R, F, I>.LimitOf(limit, toFloat);
+                if (F.All(F.Less(boxLimit, F.Zero)))
+                {
+                    return;
+                }
+            }
+
+            if (depth == 0)
+            {
+                return;
+            }
+
+            node = nodes + pending[--depth];
+        }
+    }
+}
