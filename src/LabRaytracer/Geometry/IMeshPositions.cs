@@ -1,0 +1,33 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>A column of coordinates of a known precision.</summary>
+internal interface IMeshPositions
+{
+    /// <summary>One coordinate in every lane.</summary>
+    R At<R, F, I>(int element)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>;
+}
+
+/// <summary>Coordinates in floats.</summary>
+internal readonly unsafe struct MeshSinglePositions(float* numbers) : IMeshPositions
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public R At<R, F, I>(int element)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => R.IsSingle ? R.Broadcast((R*)numbers, element) : R.Of(numbers[element]);
+}
+
+/// <summary>Coordinates in doubles.</summary>
+internal readonly unsafe struct MeshDoublePositions(double* numbers) : IMeshPositions
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public R At<R, F, I>(int element)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => R.IsSingle ? R.Of(numbers[element]) : R.Broadcast((R*)numbers, element);
+}

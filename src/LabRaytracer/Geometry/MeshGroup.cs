@@ -1,0 +1,137 @@
+using System.Runtime.InteropServices;
+
+namespace LabRaytracer;
+
+/// <summary>Meshes of a scene, each with its own tree of boxes.</summary>
+/// <typeparam name="R">Lane type of geometry.</typeparam>
+/// <typeparam name="F">Float lanes of the same width.</typeparam>
+/// <typeparam name="I">Integer lanes of the same width.</typeparam>
+/// <param name="isTransformed">Whether rays must be taken to object space.</param>
+internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup<R, F, I>
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    private readonly List<(TriangleMesh Mesh, Transform Transform, int Number)> _members = [];
+    private MeshTree[] _trees = [];
+    private R* _transforms;
+
+    public override int Add(Shape shape, Transform transform, int number)
+    {
+        _members.Add(((TriangleMesh)shape, transform, number));
+        return _members.Count - 1;
+    }
+
+    public override void Freeze(LaneMemory memory, int threads)
+    {
+        _trees = [.. _members.Select(member => member.Mesh.Tree(threads))];
+        if (!isTransformed)
+        {
+            return;
+        }
+
+        _transforms = memory.Column<R>(_members.Count * ObjectSpace.NumberCount, R.Width);
+        Span<double> numbers = stackalloc double[ObjectSpace.NumberCount];
+        for (int member = 0; member < _members.Count; member++)
+        {
+            ObjectSpace.Describe(_members[member].Transform, numbers);
+            for (int k = 0; k < numbers.Length; k++)
+            {
+                R.Put(_transforms, (member * ObjectSpace.NumberCount) + k, numbers[k]);
+            }
+        }
+    }
+
+    public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
+    {
+        (TriangleMesh mesh, _, int number) = _members[member];
+        for (int packet = first; packet < end; packet++)
+        {
+            MeshNearestSink<R, F, I> sink = new()
+            {
+                Object = number,
+                T = hits.T + packet,
+                A = hits.A + packet,
+                B = hits.B + packet,
+                Objects = hits.Object + packet,
+                Parts = hits.Part + packet,
+            };
+            MeshSearch.Run<R, F, I, MeshNearestSink<R, F, I>>(mesh.Data, _trees[member], ToObject(member, rays.Load(packet)), hits.T[packet], ref sink);
+        }
+    }
+
+    public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
+    {
+        TriangleMesh mesh = _members[member].Mesh;
+        for (int packet = first; packet < end; packet++)
+        {
+            MeshBlockSink<R> sink = default;
+            MeshSearch.Run<R, F, I, MeshBlockSink<R>>(mesh.Data, _trees[member], ToObject(member, rays.Load(packet)), rays.Limit[packet], ref sink);
+            rays.Limit[packet] = R.Select(sink.Blocked, R.Of(-1), rays.Limit[packet]);
+        }
+    }
+
+    public override void Surface(
+        RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs)
+    {
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            I ray = I.Load(order + (packet * R.Width));
+            I members = _members.Count == 1 ? I.Of(0) : I.Gather(memberOfObject, I.Gather((int*)hits.Object, ray));
+            SurfaceLanes<R> s = default;
+            int lane = 0;
+            while (lane < R.Width)
+            {
+                int member = I.Get(members, lane);
+                Merge(member, I.Equal(members, I.Of(member)), rays, hits, ray, ref s);
+                lane = NextMember(members, lane);
+            }
+
+            surfaces.Store(packet, s, needs);
+        }
+    }
+
+    /// <summary>The first lane whose member no earlier lane has, or the width.</summary>
+    private static int NextMember(I members, int lane)
+    {
+        for (lane++; lane < R.Width; lane++)
+        {
+            bool isNew = true;
+            for (int earlier = 0; earlier < lane; earlier++)
+            {
+                isNew &= I.Get(members, earlier) != I.Get(members, lane);
+            }
+
+            if (isNew)
+            {
+                break;
+            }
+        }
+
+        return lane;
+    }
+
+    /// <summary>Writes the lanes of one member.</summary>
+    private void Merge(int member, I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, I ray, ref SurfaceLanes<R> s)
+    {
+        MeshData mesh = _members[member].Mesh.Data;
+        I triangle = I.Gather((int*)hits.Part, ray) & mask;
+        MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Gather(ray)), triangle, R.Gather(hits.A, ray), R.Gather(hits.B, ray), out SurfaceLanes<R> own);
+        if (isTransformed)
+        {
+            ObjectSpace.ToWorld(Transform(member), ref own);
+        }
+
+        R isOwn = R.MaskFromInt32(mask);
+        Span<R> merged = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new Span<SurfaceLanes<R>>(ref s));
+        ReadOnlySpan<R> added = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new ReadOnlySpan<SurfaceLanes<R>>(ref own));
+        for (int k = 0; k < merged.Length; k++)
+        {
+            merged[k] = R.Select(isOwn, added[k], merged[k]);
+        }
+    }
+
+    private RayLanes<R> ToObject(int member, in RayLanes<R> ray) => isTransformed ? ObjectSpace.FromWorld(Transform(member), ray) : ray;
+
+    private SharedParameters<R, F, I> Transform(int member) => new(_transforms, member * ObjectSpace.NumberCount);
+}

@@ -1,0 +1,56 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Keeps the nearest hit; on a tie the smaller object number, then the smaller triangle number, as <see cref="HitBatch{R, F, I}"/> promises.</summary>
+internal readonly unsafe struct MeshNearestSink<R, F, I> : IMeshSink<R>
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <summary>Number of the mesh's object.</summary>
+    public required int Object { get; init; }
+
+    /// <summary>Known distances.</summary>
+    public required R* T { get; init; }
+
+    /// <summary>Known weights of vertex 1.</summary>
+    public required R* A { get; init; }
+
+    /// <summary>Known weights of vertex 2.</summary>
+    public required R* B { get; init; }
+
+    /// <summary>Known object numbers.</summary>
+    public required I* Objects { get; init; }
+
+    /// <summary>Known triangle numbers.</summary>
+    public required I* Parts { get; init; }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public bool Take(R mask, R t, R weight1, R weight2, int triangle, ref R limit)
+    {
+        I self = I.Of(Object), part = I.Of(triangle);
+        R closer = mask & R.Less(t, limit);
+        R tie = mask & R.Equal(t, limit);
+        if (R.Any(tie))
+        {
+            I isKnown = ~I.Equal(*Objects, I.Of(HitBatch<R, F, I>.Miss));
+            I wins = I.Less(self, *Objects) | (I.Equal(self, *Objects) & I.Less(part, *Parts));
+            closer |= tie & R.MaskFromInt32(wins & isKnown);
+        }
+
+        if (!R.Any(closer))
+        {
+            return false;
+        }
+
+        I closerIndex = R.MaskToInt32(closer);
+        limit = R.Select(closer, t, limit);
+        *T = R.Select(closer, t, *T);
+        *A = R.Select(closer, weight1, *A);
+        *B = R.Select(closer, weight2, *B);
+        *Objects = I.Select(closerIndex, self, *Objects);
+        *Parts = I.Select(closerIndex, part, *Parts);
+        return true;
+    }
+}

@@ -1,0 +1,107 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>The geometry of a mesh at hits.</summary>
+internal static unsafe class MeshSurface
+{
+    /// <summary>Surface points in object space.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="ray">The rays that hit, object space.</param>
+    /// <param name="triangle">Triangle numbers.</param>
+    /// <param name="a">Weights of vertex 1.</param>
+    /// <param name="b">Weights of vertex 2.</param>
+    /// <param name="s">The surface.</param>
+    /// <remarks>The point is a mean of the vertices, never o + t d: its distance from the triangle does not grow with the ray's length.</remarks>
+    public static void Compute<R, F, I>(MeshData mesh, in RayLanes<R> ray, I triangle, R a, R b, out SurfaceLanes<R> s)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        s = default;
+        I corner = triangle * I.Of(3);
+        Edges<R, F, I>(mesh.Positions, mesh.Corners, corner, 3, 0, out R x0, out R x1, out R x2);
+        Edges<R, F, I>(mesh.Positions, mesh.Corners, corner, 3, 1, out R y0, out R y1, out R y2);
+        Edges<R, F, I>(mesh.Positions, mesh.Corners, corner, 3, 2, out R z0, out R z1, out R z2);
+        s.PointX = s.LocalX = R.Fma(a, x1, R.Fma(b, x2, x0));
+        s.PointY = s.LocalY = R.Fma(a, y1, R.Fma(b, y2, y0));
+        s.PointZ = s.LocalZ = R.Fma(a, z1, R.Fma(b, z2, z0));
+        s.Slack = Lane.Slack(Size(x0, x1, x2) + Size(y0, y1, y2) + Size(z0, z1, z2));
+        (R nx, R ny, R nz) = Unit(
+            Minor(y1, z2, z1, y2), Minor(z1, x2, x1, z2), Minor(x1, y2, y1, x2), -ray.DirectionX, -ray.DirectionY, -ray.DirectionZ);
+        (s.ShadingX, s.ShadingY, s.ShadingZ) = (nx, ny, nz);
+        if (mesh.Normals.IsPresent)
+        {
+            ShadingNormal<R, F, I>(mesh, corner, a, b, ref s);
+            R flip = R.Less(Lane.Dot(nx, ny, nz, s.ShadingX, s.ShadingY, s.ShadingZ), R.Zero);
+            nx = R.Select(flip, -nx, nx);
+            ny = R.Select(flip, -ny, ny);
+            nz = R.Select(flip, -nz, nz);
+        }
+
+        (s.NormalX, s.NormalY, s.NormalZ) = (nx, ny, nz);
+        (s.LocalNormalX, s.LocalNormalY, s.LocalNormalZ) = (nx, ny, nz);
+        if (mesh.TextureCoordinates.IsPresent)
+        {
+            Edges<R, F, I>(mesh.TextureCoordinates, mesh.TextureCorners, corner, 2, 0, out R u0, out R u1, out R u2);
+            Edges<R, F, I>(mesh.TextureCoordinates, mesh.TextureCorners, corner, 2, 1, out R v0, out R v1, out R v2);
+            s.SurfaceU = R.Fma(a, u1, R.Fma(b, u2, u0));
+            s.SurfaceV = R.Fma(a, v1, R.Fma(b, v2, v0));
+        }
+    }
+
+    /// <summary>The interpolated normal, or the geometric one (which is in <paramref name="s"/>) where normals cancel.</summary>
+    private static void ShadingNormal<R, F, I>(MeshData mesh, I corner, R a, R b, ref SurfaceLanes<R> s)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        Edges<R, F, I>(mesh.Normals, mesh.NormalCorners, corner, 3, 0, out R x0, out R x1, out R x2);
+        Edges<R, F, I>(mesh.Normals, mesh.NormalCorners, corner, 3, 1, out R y0, out R y1, out R y2);
+        Edges<R, F, I>(mesh.Normals, mesh.NormalCorners, corner, 3, 2, out R z0, out R z1, out R z2);
+        (s.ShadingX, s.ShadingY, s.ShadingZ) = Unit(
+            R.Fma(a, x1, R.Fma(b, x2, x0)), R.Fma(a, y1, R.Fma(b, y2, y0)), R.Fma(a, z1, R.Fma(b, z2, z0)), s.ShadingX, s.ShadingY, s.ShadingZ);
+    }
+
+    /// <summary>A number at vertex 0, and its changes towards vertices 1 and 2.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Edges<R, F, I>(MeshColumn column, int* corners, I corner, int stride, int k, out R at0, out R to1, out R to2)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        I size = I.Of(stride), offset = I.Of(k);
+        at0 = column.Gather<R, F, I>((I.Gather(corners, corner) * size) + offset);
+        to1 = column.Gather<R, F, I>((I.Gather(corners + 1, corner) * size) + offset) - at0;
+        to2 = column.Gather<R, F, I>((I.Gather(corners + 2, corner) * size) + offset) - at0;
+    }
+
+    /// <summary>a d - b c, within 1.5 ulp, so that slivers keep their normals.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R Minor<R>(R a, R d, R b, R c)
+        where R : unmanaged, IReal<R>
+    {
+        R product = b * c;
+        return R.Fma(a, d, -product) + R.Fma(-b, c, product);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R Size<R>(R at0, R to1, R to2)
+        where R : unmanaged, IReal<R> => R.Abs(at0) + R.Abs(to1) + R.Abs(to2);
+
+    /// <summary>A vector of length 1; the direction of a second one where the first is 0. Squares neither overflow nor vanish.</summary>
+    private static (R X, R Y, R Z) Unit<R>(R x, R y, R z, R otherX, R otherY, R otherZ)
+        where R : unmanaged, IReal<R>
+    {
+        R isZero = R.Equal(x, R.Zero) & R.Equal(y, R.Zero) & R.Equal(z, R.Zero);
+        x = R.Select(isZero, otherX, x);
+        y = R.Select(isZero, otherY, y);
+        z = R.Select(isZero, otherZ, z);
+        R largest = R.Max(R.Max(R.Abs(x), R.Abs(y)), R.Abs(z));
+        x /= largest;
+        y /= largest;
+        z /= largest;
+        R length = R.Sqrt(Lane.Dot(x, y, z, x, y, z));
+        return (x / length, y / length, z / length);
+    }
+}

@@ -1,0 +1,40 @@
+namespace LabRaytracer;
+
+/// <summary>What finds the triangles of a mesh: the tree of boxes, and the triangles in the order of its leaves.</summary>
+/// <remarks>Immutable, thread safe.</remarks>
+internal sealed unsafe class MeshTree
+{
+    private readonly LaneMemory _memory = new();
+
+    /// <summary>Builds the tree of a mesh.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="kept">Numbers of the triangles that rays may hit; null for all.</param>
+    /// <param name="threads">Threads that may work on it, at least 1.</param>
+    public MeshTree(MeshData mesh, int[]? kept, int threads)
+    {
+        Boxes = Bvh.Build(new Items(mesh, kept), new BvhCost(ItemCost: 1.5f, MaximumLeaf: 4), threads);
+        Triangles = _memory.Column<MeshTriangle>(Boxes.ItemCount, 1);
+        for (int i = 0; i < Boxes.ItemCount; i++)
+        {
+            int number = kept == null ? Boxes.Items[i] : kept[Boxes.Items[i]];
+            int* corner = mesh.Corners + (3 * number);
+            Triangles[i] = new MeshTriangle(3 * corner[0], 3 * corner[1], 3 * corner[2], number);
+        }
+    }
+
+    /// <summary>The tree of boxes.</summary>
+    public Bvh Boxes { get; }
+
+    /// <summary>The triangles in the order of the leaves.</summary>
+    public MeshTriangle* Triangles { get; }
+
+    /// <summary>Bytes of tree and triangles.</summary>
+    public long Bytes => _memory.Bytes + Boxes.Bytes;
+
+    private readonly struct Items(MeshData mesh, int[]? kept) : IBvhItems
+    {
+        public int Count => kept == null ? mesh.TriangleCount : kept.Length;
+
+        public Bounds BoundsOf(int item) => mesh.BoundsOf(kept == null ? item : kept[item]);
+    }
+}
