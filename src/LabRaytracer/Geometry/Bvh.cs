@@ -22,7 +22,6 @@ internal sealed unsafe class Bvh : IDisposable
         NodeCount = nodeCount;
         ItemCount = itemCount;
         Nodes = _memory.Column<BvhNode>(nodeCount, 1);
-        Items = _memory.Column<int>(itemCount, 1);
     }
 
     /// <summary>Subtracted from coordinates before they meet the boxes.</summary>
@@ -55,20 +54,19 @@ internal sealed unsafe class Bvh : IDisposable
     /// <summary>The nodes.</summary>
     public BvhNode* Nodes { get; }
 
-    /// <summary>Item numbers in the order of the leaves.</summary>
-    public int* Items { get; }
-
-    /// <summary>Bytes of nodes and items.</summary>
+    /// <summary>Bytes of the nodes.</summary>
     public long Bytes => _memory.Bytes;
 
     /// <summary>Builds a tree.</summary>
     /// <param name="items">What it sorts.</param>
     /// <param name="cost">When to stop splitting.</param>
     /// <param name="threads">Threads that may work on it, at least 1. The tree does not depend on it.</param>
-    public static Bvh Build<TItems>(TItems items, BvhCost cost, int threads)
+    /// <param name="order">Item numbers in the order of the leaves.</param>
+    public static Bvh Build<TItems>(TItems items, BvhCost cost, int threads, out int[] order)
         where TItems : struct, IBvhItems
     {
         int count = items.Count;
+        order = new int[count];
         if (count == 0)
         {
             return new Bvh(Point3D.Origin, 0, 0);
@@ -85,7 +83,7 @@ internal sealed unsafe class Bvh : IDisposable
             BvhBuilder.Compact(sparse, tree.Nodes);
             for (int i = 0; i < count; i++)
             {
-                tree.Items[i] = references[i].Number;
+                order[i] = references[i].Number;
             }
 
             tree.Measure();

@@ -12,11 +12,11 @@ internal sealed unsafe class MeshTree
     /// <param name="threads">Threads that may work on it, at least 1.</param>
     public MeshTree(MeshData mesh, int[]? kept, int threads)
     {
-        Boxes = Bvh.Build(new Items(mesh, kept), new BvhCost(ItemCost: 1.5f, MaximumLeaf: 4), threads);
+        Boxes = Bvh.Build(new Items(mesh, kept), new BvhCost(ItemCost: 1, MaximumLeaf: 4), threads, out int[] order);
         Triangles = _memory.Column<MeshTriangle>(Boxes.ItemCount, 1);
         for (int i = 0; i < Boxes.ItemCount; i++)
         {
-            int number = kept == null ? Boxes.Items[i] : kept[Boxes.Items[i]];
+            int number = kept == null ? order[i] : kept[order[i]];
             int* corner = mesh.Corners + (3 * number);
             Triangles[i] = new MeshTriangle(3 * corner[0], 3 * corner[1], 3 * corner[2], number);
         }

@@ -1,0 +1,104 @@
+namespace LabRaytracer;
+
+/// <summary>All objects of a scene: a tree over the bounded ones where there are many, one after the other where there are few.</summary>
+/// <typeparam name="R">Lane type of geometry.</typeparam>
+/// <typeparam name="F">Float lanes of the same width.</typeparam>
+/// <typeparam name="I">Integer lanes of the same width.</typeparam>
+/// <remarks>Immutable, thread safe. Groups must be frozen before the first ray.</remarks>
+internal sealed class SceneBvh<R, F, I> : IDisposable
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <summary>Up to this many bounded objects, a loop over them is faster than a tree.</summary>
+    private const int FewObjects = 8;
+
+    /// <summary>Larger coordinates would overflow in the floats of the tree.</summary>
+    private const double LargestCoordinate = 1e18;
+
+    private readonly BvhSceneEntry<R, F, I>[] _outside;
+    private readonly BvhSceneEntry<R, F, I>[] _inside;
+    private readonly Bvh? _tree;
+
+    /// <summary>Sorts the objects.</summary>
+    /// <param name="bounds">World box of each object; may be unbounded.</param>
+    /// <param name="groupOfEntry">Group of each object.</param>
+    /// <param name="memberOfEntry">Number of each object in its group.</param>
+    /// <param name="threads">Threads that may work on it, at least 1.</param>
+    public SceneBvh(ReadOnlySpan<Bounds> bounds, ShapeGroup<R, F, I>[] groupOfEntry, int[] memberOfEntry, int threads)
+    {
+        List<Bounds> boxes = [];
+        List<BvhSceneEntry<R, F, I>> boxed = [], outside = [];
+        for (int entry = 0; entry < bounds.Length; entry++)
+        {
+            BvhSceneEntry<R, F, I> added = new(groupOfEntry[entry], memberOfEntry[entry]);
+            if (bounds[entry].IsEmpty)
+            {
+                continue;
+            }
+
+            if (FitsTree(bounds[entry]))
+            {
+                boxes.Add(bounds[entry]);
+                boxed.Add(added);
+            }
+            else
+            {
+                outside.Add(added);
+            }
+        }
+
+        if (boxed.Count > FewObjects)
+        {
+            _tree = Bvh.Build(new Items([.. boxes]), new BvhCost(ItemCost: 4, MaximumLeaf: 2), threads, out int[] order);
+            _inside = [.. order.Select(item => boxed[item])];
+            _outside = [.. outside];
+        }
+        else
+        {
+            _inside = [];
+            _outside = [.. boxed, .. outside];
+        }
+    }
+
+    /// <summary>Keeps the nearest hits of all objects in groups of lanes [firstPacket, endPacket).</summary>
+    public void Nearest(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int firstPacket, int endPacket) => Run(rays, hits, firstPacket, endPacket);
+
+    /// <summary>Turns off (limit below 0) the rays in groups of lanes [firstPacket, endPacket) that any object blocks before their limit.</summary>
+    public void Block(RayBatch<R, F, I> rays, int firstPacket, int endPacket) => Run(rays, null, firstPacket, endPacket);
+
+    public void Dispose() => _tree?.Dispose();
+
+    private static bool FitsTree(Bounds bounds) =>
+        bounds.IsFinite && Fits(bounds.Min) && Fits(bounds.Max);
+
+    private static bool Fits(Point3D corner) =>
+        Math.Abs(corner.X) <= LargestCoordinate && Math.Abs(corner.Y) <= LargestCoordinate && Math.Abs(corner.Z) <= LargestCoordinate;
+
+    private void Run(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
+    {
+        foreach (BvhSceneEntry<R, F, I> entry in _outside)
+        {
+            entry.Visit(rays, hits, firstPacket, endPacket);
+        }
+
+        if (_tree == null)
+        {
+            return;
+        }
+
+        for (int packet = firstPacket; packet < endPacket; packet++)
+        {
+            BvhSceneLeaf<R, F, I> leaf = new(_inside, rays, hits, packet);
+            R limit = hits == null ? rays.Limit[packet] : hits.T[packet];
+            BvhTraversal.Run<R, F, I, BvhSceneLeaf<R, F, I>>(_tree, rays.Load(packet), limit, ref leaf);
+        }
+    }
+
+    private readonly struct Items(Bounds[] boxes) : IBvhItems
+    {
+        public int Count => boxes.Length;
+
+        public Bounds BoundsOf(int item) => boxes[item];
+    }
+}
