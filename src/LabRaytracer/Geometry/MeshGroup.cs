@@ -30,14 +30,14 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
             return;
         }
 
-        _transforms = memory.Column<R>(_members.Count * ObjectSpace.NumberCount, R.Width);
-        Span<double> numbers = stackalloc double[ObjectSpace.NumberCount];
+        _transforms = memory.Column<R>(_members.Count * WorldSpace.ParameterCount, R.Width);
+        Span<double> numbers = stackalloc double[WorldSpace.ParameterCount];
         for (int member = 0; member < _members.Count; member++)
         {
-            ObjectSpace.Describe(_members[member].Transform, numbers);
+            WorldSpace.Describe(_members[member].Transform, numbers);
             for (int k = 0; k < numbers.Length; k++)
             {
-                R.Put(_transforms, (member * ObjectSpace.NumberCount) + k, numbers[k]);
+                R.Put(_transforms, (member * WorldSpace.ParameterCount) + k, numbers[k]);
             }
         }
     }
@@ -119,7 +119,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Gather(ray)), triangle, R.Gather(hits.A, ray), R.Gather(hits.B, ray), out SurfaceLanes<R> own);
         if (isTransformed)
         {
-            ObjectSpace.ToWorld(Transform(member), ref own);
+            WorldSpace.FromObject(Transform(member), ref own);
         }
 
         R isOwn = R.MaskFromInt32(mask);
@@ -131,7 +131,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         }
     }
 
-    private RayLanes<R> ToObject(int member, in RayLanes<R> ray) => isTransformed ? ObjectSpace.FromWorld(Transform(member), ray) : ray;
+    private RayLanes<R> ToObject(int member, in RayLanes<R> ray) => isTransformed ? WorldSpace.ToObject(Transform(member), ray) : ray;
 
-    private SharedParameters<R, F, I> Transform(int member) => new(_transforms, member * ObjectSpace.NumberCount);
+    private SharedParameters<R, F, I> Transform(int member) => new(_transforms, member * WorldSpace.ParameterCount);
 }

@@ -75,7 +75,7 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     private static bool Fits(Point3D corner) =>
         Math.Abs(corner.X) <= LargestCoordinate && Math.Abs(corner.Y) <= LargestCoordinate && Math.Abs(corner.Z) <= LargestCoordinate;
 
-    private void Run(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
+    private unsafe void Run(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
     {
         foreach (BvhSceneEntry<R, F, I> entry in _outside)
         {
