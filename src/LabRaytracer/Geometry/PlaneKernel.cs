@@ -42,8 +42,8 @@ internal readonly struct PlaneKernel : IShapeKernel
     }
 
     /// <remarks>
-    /// From the ray's point nearest to the plane's own point, not from its origin: the local point is accurate at any distance.
-    /// It is put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
+    /// The point relative to the plane's own point takes one more step along the ray, which removes what rounding t cost: it is accurate at any distance.
+    /// It is then put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
@@ -54,12 +54,14 @@ internal readonly struct PlaneKernel : IShapeKernel
         s.NormalX = s.ShadingX = shape[Normal];
         s.NormalY = s.ShadingY = shape[Normal + 1];
         s.NormalZ = s.ShadingZ = shape[Normal + 2];
-        CentredRay<R> centred = new(ray, shape[Point], shape[Point + 1], shape[Point + 2]);
+        R qx = R.Fma(t, ray.DirectionX, Compensated.Difference(ray.OriginX, shape[Point], out R restX)) + restX;
+        R qy = R.Fma(t, ray.DirectionY, Compensated.Difference(ray.OriginY, shape[Point + 1], out R restY)) + restY;
+        R qz = R.Fma(t, ray.DirectionZ, Compensated.Difference(ray.OriginZ, shape[Point + 2], out R restZ)) + restZ;
         R approach = Lane.Dot(s.NormalX, s.NormalY, s.NormalZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
-        R along = -Lane.Dot(s.NormalX, s.NormalY, s.NormalZ, centred.X, centred.Y, centred.Z) / approach;
-        R qx = R.Fma(along, ray.DirectionX, centred.X);
-        R qy = R.Fma(along, ray.DirectionY, centred.Y);
-        R qz = R.Fma(along, ray.DirectionZ, centred.Z);
+        R again = -Lane.Dot(s.NormalX, s.NormalY, s.NormalZ, qx, qy, qz) / approach;
+        qx = R.Fma(again, ray.DirectionX, qx);
+        qy = R.Fma(again, ray.DirectionY, qy);
+        qz = R.Fma(again, ray.DirectionZ, qz);
         R off = Lane.Dot(qx, qy, qz, s.NormalX, s.NormalY, s.NormalZ);
         qx = R.Fma(-off, s.NormalX, qx);
         qy = R.Fma(-off, s.NormalY, qy);
