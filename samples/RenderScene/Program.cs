@@ -1,1 +1,5 @@
-Console.Out.Flush();
+using RenderScene;
+
+using SignalStop stop = new();
+int code = App.Run(args, AppConsole.System(), stop.Token);
+return stop.ExitCode ?? code;

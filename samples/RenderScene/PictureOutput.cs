@@ -1,0 +1,71 @@
+using System.Globalization;
+using LabRaytracer;
+
+namespace RenderScene;
+
+/// <summary>Picture files that the program writes.</summary>
+internal static class PictureOutput
+{
+    private const string DefaultFolder = "out";
+
+    /// <summary>Where a picture goes if nobody says where: into the folder "out", which is made.</summary>
+    public static string DefaultPath(string fileName)
+    {
+        Directory.CreateDirectory(DefaultFolder);
+        return Path.Combine(DefaultFolder, fileName);
+    }
+
+    /// <summary>Finds out, before any work, whether files can be written.</summary>
+    /// <param name="picture">The picture.</param>
+    /// <param name="others">Other files; null is nothing.</param>
+    /// <exception cref="UsageException">No picture format has the extension.</exception>
+    /// <exception cref="IOException">A file cannot be written.</exception>
+    public static void Check(string picture, params string?[] others)
+    {
+        try
+        {
+            PictureCodecs.Default.CheckTarget(picture);
+        }
+        catch (ArgumentException failure)
+        {
+            throw new UsageException(FirstSentences(failure.Message));
+        }
+
+        foreach (string other in others.OfType<string>())
+        {
+            AtomicFile.Check(other);
+        }
+    }
+
+    /// <summary>Writes a picture with texts inside it.</summary>
+    public static void Save(Picture picture, string path, PictureSaveOptions options, IReadOnlyList<KeyValuePair<string, string>> text) =>
+        picture.Save(path, new PictureSaveOptions
+        {
+            Encoding = options.Encoding, BitDepth = options.BitDepth, ToneMapping = options.ToneMapping, PngCompression = options.PngCompression, Text = text,
+        });
+
+    /// <summary>What a picture says about its own making: enough to make it again.</summary>
+    public static IReadOnlyList<KeyValuePair<string, string>> Text(string scene, RenderOptions options) =>
+    [
+        new("Title", Path.GetFileNameWithoutExtension(scene)),
+        new("Software", $"LabRaytracer {VersionVerb.Version}"),
+        new("Options", Describe(options)),
+    ];
+
+    /// <summary>Options in the words of the command line. Threads are left out: the picture does not depend on them.</summary>
+    private static string Describe(RenderOptions options)
+    {
+        string text = string.Create(CultureInfo.InvariantCulture, $"--size {options.Width}x{options.Height} --samples {options.Samples}");
+        text += $" --pattern {options.Pattern} --precision {(options.Precision == Precision.Double ? "double" : "float")} --view {options.View}".ToLowerInvariant();
+        text += string.Create(CultureInfo.InvariantCulture, $" --seed {options.Seed}");
+        text += options.Filter is { } filter ? $" --filter {filter}".ToLowerInvariant() : "";
+        return text + (options.Crop is { } crop ? string.Create(CultureInfo.InvariantCulture, $" --crop {crop.X},{crop.Y},{crop.Width},{crop.Height}") : "");
+    }
+
+    /// <summary>A message without the name of the parameter that the framework appends.</summary>
+    private static string FirstSentences(string message)
+    {
+        int appended = message.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        return appended < 0 ? message : message[..appended];
+    }
+}

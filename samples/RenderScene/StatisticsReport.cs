@@ -1,0 +1,103 @@
+using System.Globalization;
+using System.Text.Json;
+using LabRaytracer;
+
+namespace RenderScene;
+
+/// <summary>What a render did, as text and as JSON.</summary>
+internal sealed class StatisticsReport(string scene, string output, RenderOptions options, RenderStatistics statistics)
+{
+    /// <summary>Wall time of reading the scene file, seconds.</summary>
+    public double LoadSeconds { get; init; }
+
+    /// <summary>Wall time from reading to the written picture, seconds.</summary>
+    public double TotalSeconds { get; init; }
+
+    private IReadOnlyList<(string Key, string Words, double Value)> Times =>
+    [
+        ("loadSeconds", "scene file read", LoadSeconds),
+        ("prepareSeconds", "scene made ready", statistics.PrepareSeconds),
+        ("renderSeconds", "rendered", statistics.RenderSeconds),
+        ("totalSeconds", "in all, with writing", TotalSeconds),
+    ];
+
+    private IReadOnlyList<(string Key, string Words, long Value)> Counts =>
+    [
+        ("primaryRays", "rays from the camera", statistics.PrimaryRays),
+        ("secondaryRays", "reflected and refracted rays", statistics.SecondaryRays),
+        ("secondaryRaysSkipped", "  skipped: too faint to be seen", statistics.SecondaryRaysSkipped),
+        ("shadowRays", "shadow rays", statistics.ShadowRays),
+        ("shadowRaysSkipped", "  skipped: no light from there", statistics.ShadowRaysSkipped),
+        ("mappings", "mappings evaluated", statistics.Mappings),
+        ("textureLookups", "texture lookups", statistics.TextureLookups),
+        ("constantSlots", "  skipped: constant coefficients", statistics.ConstantSlots),
+        ("textures", "textures made ready", statistics.Textures),
+        ("geometryBytes", "bytes of geometry", statistics.GeometryBytes),
+        ("laneWidth", "floats computed at once", statistics.LaneWidth),
+        ("notFinitePixels", "pixels that were not finite", statistics.NotFinitePixels),
+    ];
+
+    /// <summary>Says where colours were not finite, if any were.</summary>
+    public static void WarnOfNotFinite(RenderStatistics statistics, TextWriter error)
+    {
+        if (statistics.NotFinitePixels > 0)
+        {
+            (int x, int y) = statistics.FirstNotFinitePixel ?? default;
+            error.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"warning: {statistics.NotFinitePixels} pixels were not finite and are black, the first at ({x}, {y}); --view nan shows them."));
+        }
+    }
+
+    /// <summary>A table for people.</summary>
+    public void WriteText(TextWriter writer)
+    {
+        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {options.Width} x {options.Height} pixels, {options.Samples} samples a pixel, {options.Threads} threads"));
+        foreach ((_, string words, double value) in Times)
+        {
+            writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {words,-34} {value,14:0.000} s"));
+        }
+
+        foreach ((_, string words, long value) in Counts)
+        {
+            writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {words,-34} {value,14:#,0}"));
+        }
+
+        foreach ((string stage, double seconds) in statistics.StageSeconds)
+        {
+            writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {$"stage {stage}, all threads",-34} {seconds,14:0.000} s"));
+        }
+    }
+
+    /// <summary>The same for programs.</summary>
+    public void WriteJson(Stream stream)
+    {
+        using Utf8JsonWriter json = new(stream, new JsonWriterOptions { Indented = true, NewLine = "\n" });
+        json.WriteStartObject();
+        json.WriteString("scene", scene);
+        json.WriteString("output", output);
+        json.WriteString("version", VersionVerb.Version);
+        json.WriteNumber("width", options.Width);
+        json.WriteNumber("height", options.Height);
+        json.WriteNumber("samples", options.Samples);
+        json.WriteNumber("threads", options.Threads);
+        json.WriteString("precision", options.Precision == Precision.Double ? "double" : "float");
+        foreach ((string key, _, double value) in Times)
+        {
+            json.WriteNumber(key, value);
+        }
+
+        foreach ((string key, _, long value) in Counts)
+        {
+            json.WriteNumber(key, value);
+        }
+
+        json.WriteStartObject("stageSeconds");
+        foreach ((string stage, double seconds) in statistics.StageSeconds)
+        {
+            json.WriteNumber(stage, seconds);
+        }
+
+        json.WriteEndObject();
+        json.WriteEndObject();
+    }
+}
