@@ -23,7 +23,7 @@ internal static class BenchPictures
                 {
                     uint seed = (uint)((number * 16) + channel + 1);
                     float clouds = Octaves((float)x / width, (float)y / height, seed);
-                    float grain = BenchNoise.At(x, y, seed + 8);
+                    float grain = LatticeNoise.At(x, y, seed + 8);
                     channels[channel] = (0.68f * clouds) + stripe + (0.2f * grain);
                 }
 
@@ -54,7 +54,7 @@ internal static class BenchPictures
     }
 
     private static float Octaves(float u, float v, uint seed) =>
-        (0.55f * BenchNoise.Smooth(u * 6, v * 3, 6, seed))
-        + (0.3f * BenchNoise.Smooth(u * 32, v * 16, 32, seed + 3))
-        + (0.15f * BenchNoise.Smooth(u * 160, v * 80, 160, seed + 5));
+        (0.55f * LatticeNoise.Smooth(u * 6, v * 3, 6, seed))
+        + (0.3f * LatticeNoise.Smooth(u * 32, v * 16, 32, seed + 3))
+        + (0.15f * LatticeNoise.Smooth(u * 160, v * 80, 160, seed + 5));
 }

@@ -1,7 +1,7 @@
 namespace RenderScene;
 
-/// <summary>Repeatable noise for pictures to measure with: the same numbers on every machine.</summary>
-internal static class BenchNoise
+/// <summary>Repeatable smooth noise for pictures: the same numbers on every machine.</summary>
+internal static class LatticeNoise
 {
     /// <summary>A random number of a lattice point, [0, 1).</summary>
     public static float At(int x, int y, uint seed)
@@ -28,6 +28,25 @@ internal static class BenchNoise
         float low = Between(At(x0, below, seed), At(x1, below, seed), right);
         float high = Between(At(x0, below + 1, seed), At(x1, below + 1, seed), right);
         return Between(low, high, above);
+    }
+
+    /// <summary>Noise of several sizes, each half as large and half as strong as the one before, [0, 1].</summary>
+    /// <param name="u">Place, [0, 1]; the noise closes at its ends.</param>
+    /// <param name="v">Place, at least 0.</param>
+    /// <param name="columns">Lattice points of the coarsest noise along u.</param>
+    /// <param name="rows">Lattice points of the coarsest noise along v from 0 to 1.</param>
+    /// <param name="seed">Which noise.</param>
+    public static float Fractal(float u, float v, int columns, int rows, uint seed)
+    {
+        float sum = 0, weight = 0.5f;
+        for (int octave = 0; octave < 5; octave++)
+        {
+            int cells = columns << octave;
+            sum += weight * Smooth(u * cells, v * (rows << octave), cells, seed + (uint)octave);
+            weight /= 2;
+        }
+
+        return sum / 0.96875f;
     }
 
     private static float Ease(float t) => t * t * (3 - (2 * t));
