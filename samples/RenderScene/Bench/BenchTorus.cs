@@ -72,9 +72,9 @@ internal sealed class BenchTorus(int around, int across)
     private static void WriteNumbers(StreamWriter text, string key, ReadOnlySpan<double> numbers)
     {
         text.Write(key);
+        Span<char> digits = stackalloc char[32];
         for (int i = 0; i < numbers.Length; i++)
         {
-            Span<char> digits = stackalloc char[32];
             numbers[i].TryFormat(digits, out int length, "0.######", CultureInfo.InvariantCulture);
             text.Write(digits[..length]);
             text.Write(i + 1 < numbers.Length ? ' ' : '\n');
