@@ -16,33 +16,34 @@ internal static class LatticeNoise
     }
 
     /// <summary>Smooth noise over a lattice that closes at its sides, [0, 1].</summary>
-    /// <param name="x">Place along x, lattice units, [0, columns].</param>
-    /// <param name="y">Place along y, lattice units, at least 0.</param>
-    /// <param name="columns">Lattice points after which the noise repeats along x.</param>
+    /// <param name="u">Place along the columns, at least 0; the noise has period 1.</param>
+    /// <param name="v">Place along the rows, at least 0; the noise has period 1.</param>
+    /// <param name="columns">Lattice points along u.</param>
+    /// <param name="rows">Lattice points along v.</param>
     /// <param name="seed">Which noise.</param>
-    public static float Smooth(float x, float y, int columns, uint seed)
+    public static float Smooth(float u, float v, int columns, int rows, uint seed)
     {
+        float x = u * columns, y = v * rows;
         int left = (int)x, below = (int)y;
         float right = Ease(x - left), above = Ease(y - below);
-        int x0 = left % columns, x1 = (left + 1) % columns;
-        float low = Between(At(x0, below, seed), At(x1, below, seed), right);
-        float high = Between(At(x0, below + 1, seed), At(x1, below + 1, seed), right);
+        int x0 = left % columns, x1 = (left + 1) % columns, y0 = below % rows, y1 = (below + 1) % rows;
+        float low = Between(At(x0, y0, seed), At(x1, y0, seed), right);
+        float high = Between(At(x0, y1, seed), At(x1, y1, seed), right);
         return Between(low, high, above);
     }
 
     /// <summary>Noise of several sizes, each half as large and half as strong as the one before, [0, 1].</summary>
-    /// <param name="u">Place, [0, 1]; the noise closes at its ends.</param>
-    /// <param name="v">Place, at least 0.</param>
+    /// <param name="u">Place along the columns, at least 0; the noise has period 1.</param>
+    /// <param name="v">Place along the rows, at least 0; the noise has period 1.</param>
     /// <param name="columns">Lattice points of the coarsest noise along u.</param>
-    /// <param name="rows">Lattice points of the coarsest noise along v from 0 to 1.</param>
+    /// <param name="rows">Lattice points of the coarsest noise along v.</param>
     /// <param name="seed">Which noise.</param>
     public static float Fractal(float u, float v, int columns, int rows, uint seed)
     {
         float sum = 0, weight = 0.5f;
         for (int octave = 0; octave < 5; octave++)
         {
-            int cells = columns << octave;
-            sum += weight * Smooth(u * cells, v * (rows << octave), cells, seed + (uint)octave);
+            sum += weight * Smooth(u, v, columns << octave, rows << octave, seed + (uint)octave);
             weight /= 2;
         }
 

@@ -54,7 +54,7 @@ internal static class BenchPictures
     }
 
     private static float Octaves(float u, float v, uint seed) =>
-        (0.55f * LatticeNoise.Smooth(u * 6, v * 3, 6, seed))
-        + (0.3f * LatticeNoise.Smooth(u * 32, v * 16, 32, seed + 3))
-        + (0.15f * LatticeNoise.Smooth(u * 160, v * 80, 160, seed + 5));
+        (0.55f * LatticeNoise.Smooth(u, v, 6, 3, seed))
+        + (0.3f * LatticeNoise.Smooth(u, v, 32, 16, seed + 3))
+        + (0.15f * LatticeNoise.Smooth(u, v, 160, 80, seed + 5));
 }

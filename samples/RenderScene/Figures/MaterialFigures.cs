@@ -21,8 +21,8 @@ internal static class MaterialFigures
     public static Picture Slots(FigureTools tools)
     {
         Texture spots = Load("spots.png");
-        TextureSlot slot = new() { Texture = spots, Transform = new UvTransform(new(0.5, 0), 0, new(2, 2), new(0, 0)) };
-        ScalarSlot shininess = new() { Value = 120, Texture = spots, Transform = slot.Transform };
+        TextureSlot slot = spots;
+        ScalarSlot shininess = new() { Value = 150, Texture = spots, Amount = 0.96f };
         Intensity body = new(0.25f, 0.3f, 0.42f);
         (string Name, Material Material)[] slots =
         [
@@ -31,13 +31,13 @@ internal static class MaterialFigures
             ("specular", new Material { Diffuse = body, Specular = slot, Shininess = 8 }),
             ("shininess", new Material { Diffuse = body, Specular = Intensity.Grey(0.8f), Shininess = shininess }),
             ("reflection", new Material { Diffuse = body, Reflection = slot }),
-            ("transparency", new Material { Diffuse = Intensity.Grey(0.2f), Transparency = slot }),
+            ("transparency", new Material { Diffuse = body, Transparency = slot }),
             ("emission", new Material { Diffuse = body, Emission = slot }),
         ];
         int height = tools.Scaled(260);
         PerspectiveCamera camera = new(new Point3D(0, 2.2, 30), new Point3D(0, 0.06, 0), 7);
         Scene scene = FigureTools.Studio(camera);
-        scene.Add(new InfinitePlane(new Point3D(0, -1, 0), Vector3D.UnitY), Material.Matte(Checker(0.62f, 0.35f)));
+        scene.Add(new InfinitePlane(new Point3D(0, -1, 0), Vector3D.UnitY), new Material { Diffuse = Intensity.Grey(0.6f) });
         Canvas canvas = new(tools.Width, height + tools.Scaled(60), FigureTools.Paper);
         for (int i = 0; i < slots.Length; i++)
         {
@@ -77,6 +77,4 @@ internal static class MaterialFigures
     }
 
     private static Texture Load(string name) => Texture.Load(SceneFolder.File(Path.Combine("textures", name)));
-
-    private static CheckerTexture Checker(float even, float odd) => new() { Columns = 2, Rows = 2, Even = Intensity.Grey(even), Odd = Intensity.Grey(odd) };
 }

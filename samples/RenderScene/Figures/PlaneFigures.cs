@@ -26,15 +26,15 @@ internal static class PlaneFigures
         }
 
         canvas.Label("x_p = 7u", left + (Columns * cell) + tools.Scaled(82), bottom + tools.Scaled(30), size);
-        canvas.Label("y_p = 3v", left - tools.Scaled(40), top - tools.Scaled(22), size);
+        canvas.Label("y_p = 3v", left - tools.Scaled(90), top - tools.Scaled(22), size);
         DrawCoordinateAxes(canvas, tools, (left, bottom), (Columns * cell, Rows * cell));
-        (double x0, double y0) = (left + (0.68 * Columns * cell), bottom - (0.4 * Rows * cell));
+        (double x0, double y0) = (left + (0.4 * Columns * cell), bottom - (0.36 * Rows * cell));
         canvas.Ink = Intensity.Black;
         canvas.Line(x0, bottom, x0, y0, 2);
         canvas.Line(left, y0, x0, y0, 2);
         canvas.Dot(x0, y0, tools.Scaled(12));
-        canvas.Label("(u,v) = (0.68, 0.4)", x0, y0 - tools.Scaled(16), size);
-        canvas.Label("(x_p,y_p) = (4.76, 1.2)", x0, y0 + tools.Scaled(34), size);
+        canvas.Label("(u,v) = (0.4, 0.36)", x0 + tools.Scaled(180), y0 - tools.Scaled(14), size);
+        canvas.Label("(x_p,y_p) = (2.8, 1.08)", x0 + tools.Scaled(200), y0 + tools.Scaled(32), size);
         return canvas.Picture;
     }
 

@@ -5,7 +5,7 @@ namespace RenderScene;
 /// <summary>Figures 4, 5, 6 and 8: pictures on surfaces.</summary>
 internal static class SurfaceFigures
 {
-    private const double Azimuth = 62, Height = 0.35;
+    private const double Azimuth = 62, Height = 0.35, Side = 600;
 
     /// <summary>Figure 4: a point p on a cylinder, and the same point in the picture.</summary>
     public static Picture Cylinder(FigureTools tools)
@@ -22,8 +22,8 @@ internal static class SurfaceFigures
         int side = tools.Width / 2, height = tools.Scaled(560);
         Canvas canvas = new(tools.Width, height + tools.Scaled(60), FigureTools.Paper);
         Material flat = new() { Diffuse = new TextureSlot { Texture = new GridTexture(), Mapping = new RectangularMapping() } };
-        canvas.Paste(tools.Render(OneObject(Camera(62, 24, 7.5, 24), new Sphere(), flat), side, height), 0, 0);
-        canvas.Paste(tools.Render(OneObject(Camera(62, 24, 7.5, 24), new Sphere(), Material.Matte(new GridTexture())), tools.Width - side, height), side, 0);
+        canvas.Paste(tools.Render(OneObject(Camera(62, 24, 7.5, 19), new Sphere(), flat), side, height), 0, 0);
+        canvas.Paste(tools.Render(OneObject(Camera(62, 24, 7.5, 19), new Sphere(), Material.Matte(new GridTexture())), tools.Width - side, height), side, 0);
         canvas.Label("rectangular mapping", side / 2.0, height + tools.Scaled(28), tools.Scaled(18));
         canvas.Label("spherical mapping", 1.5 * side, height + tools.Scaled(28), tools.Scaled(18));
         return canvas.Picture;
@@ -45,9 +45,9 @@ internal static class SurfaceFigures
         int side = tools.Width / 2, height = tools.Scaled(580);
         Canvas canvas = new(tools.Width, height + tools.Scaled(60), FigureTools.Paper);
         Material grid = Material.Matte(new GridTexture());
-        canvas.Paste(tools.Render(OneObject(Camera(0, 12, 7.5, 22), new Sphere(), grid), side, height), 0, 0);
-        canvas.Paste(tools.Render(OneObject(Camera(0, 78, 7.5, 22), new Sphere(), grid), tools.Width - side, height), side, 0);
-        canvas.Label("the seam at x = 0, z 0 and more", side / 2.0, height + tools.Scaled(28), tools.Scaled(16));
+        canvas.Paste(tools.Render(OneObject(Camera(0, 12, 7.5, 18.5), new Sphere(), grid), side, height), 0, 0);
+        canvas.Paste(tools.Render(OneObject(Camera(0, 78, 7.5, 18.5), new Sphere(), grid), tools.Width - side, height), side, 0);
+        canvas.Label("the half plane x = 0, z > 0", side / 2.0, height + tools.Scaled(28), tools.Scaled(16));
         canvas.Label("the pole y = 1", 1.5 * side, height + tools.Scaled(28), tools.Scaled(16));
         return canvas.Picture;
     }
@@ -55,11 +55,12 @@ internal static class SurfaceFigures
     /// <summary>A shape with axes and a point on the left, its texture with the same point on the right.</summary>
     private static Picture Explained(FigureTools tools, PerspectiveCamera camera, Shape shape, ITexture texture, Point3D p, (double U, double V) at, string upward)
     {
-        int side = tools.Scaled(600), width = tools.Scaled(560), flat = width / 2, left = tools.Width - width - tools.Scaled(70), top = (side - flat) / 2;
+        int side = tools.Scaled(Side), width = tools.Scaled(560), flat = width / 2, left = tools.Width - width - tools.Scaled(70), top = (side - flat) / 2;
         Canvas canvas = new(tools.Width, side, FigureTools.Paper);
         canvas.Paste(tools.Render(OneObject(camera, shape, Material.Matte(texture)), side, side), 0, 0);
-        DrawSpace(canvas, tools, camera, p, side);
+        DrawSpace(canvas, tools, camera, p, shape is Sphere);
         canvas.Flat(texture, left, top, width, flat);
+        canvas.Ink = Intensity.Black;
         canvas.Frame(left, top, width, flat);
         double x = left + (at.U * width), y = top + ((1 - at.V) * flat), text = tools.Scaled(18);
         canvas.Ink = new Intensity(0.6f, 0.02f, 0.02f);
@@ -79,9 +80,10 @@ internal static class SurfaceFigures
         return canvas.Picture;
     }
 
-    /// <summary>The axes x, y, z, the angle phi from +z towards +x, and the point p.</summary>
-    private static void DrawSpace(Canvas canvas, FigureTools tools, PerspectiveCamera camera, Point3D p, int side)
+    /// <summary>The axes x, y, z, the angle phi from +z towards +x, on a sphere the angle theta from +y, and the point p.</summary>
+    private static void DrawSpace(Canvas canvas, FigureTools tools, PerspectiveCamera camera, Point3D p, bool isOnSphere)
     {
+        int side = tools.Scaled(Side);
         (double X, double Y) To(double x, double y, double z) => FigureTools.Project(camera, new Point3D(x, y, z), side, side);
         (string Name, Vector3D Axis)[] axes = [("x", Vector3D.UnitX), ("y", Vector3D.UnitY), ("z", Vector3D.UnitZ)];
         foreach ((string name, Vector3D axis) in axes)
@@ -97,9 +99,27 @@ internal static class SurfaceFigures
         double ring = Math.Sqrt((p.X * p.X) + (p.Z * p.Z)) * 1.012;
         canvas.Path(Enumerable.Range(0, 41).Select(i => Radians(Azimuth * i / 40)).Select(phi => To(ring * Math.Sin(phi), p.Y, ring * Math.Cos(phi))), tools.Scaled(4));
         (double labelX, double labelY) = To(1.16 * ring * Math.Sin(Radians(Azimuth / 2)), p.Y - 0.12, 1.16 * ring * Math.Cos(Radians(Azimuth / 2)));
-        canvas.Label("\u03c6", labelX, labelY, tools.Scaled(22));
+        DrawName(canvas, tools, "\u03c6", labelX, labelY);
+        if (isOnSphere)
+        {
+            double theta = Math.Atan2(ring, p.Y);
+            canvas.Path(Enumerable.Range(0, 41).Select(i => theta * i / 40).Select(angle => To(1.012 * Math.Sin(angle) * Math.Sin(Radians(Azimuth)), 1.012 * Math.Cos(angle), 1.012 * Math.Sin(angle) * Math.Cos(Radians(Azimuth)))), tools.Scaled(4));
+            (labelX, labelY) = To(0.75 * Math.Sin(Radians(Azimuth + 12)), 0.92, 0.75 * Math.Cos(Radians(Azimuth + 12)));
+            DrawName(canvas, tools, "\u03b8", labelX, labelY);
+        }
+
         (double x, double y) = To(p.X, p.Y, p.Z);
         DrawPoint(canvas, tools, x, y);
+    }
+
+    /// <summary>A letter on a white spot.</summary>
+    private static void DrawName(Canvas canvas, FigureTools tools, string name, double x, double y)
+    {
+        Intensity ink = canvas.Ink;
+        canvas.Ink = Intensity.White;
+        canvas.Dot(x, y, tools.Scaled(30));
+        canvas.Ink = ink;
+        canvas.Label(name, x, y + tools.Scaled(8), tools.Scaled(19));
     }
 
     private static void DrawPoint(Canvas canvas, FigureTools tools, double x, double y)

@@ -23,7 +23,7 @@ internal static class SkyPicture
 
     private static Intensity Ground(float u, float v, float top)
     {
-        float field = LatticeNoise.Smooth(u * 24, v * 40, 24, 91), depth = Math.Clamp((top - v) * 3, 0, 1);
+        float field = LatticeNoise.Smooth(u, v, 24, 40, 91), depth = Math.Clamp((top - v) * 3, 0, 1);
         Intensity near = Intensity.Lerp(new Intensity(0.07f, 0.1f, 0.035f), new Intensity(0.16f, 0.17f, 0.06f), field);
         return Intensity.Lerp(new Intensity(0.1f, 0.13f, 0.08f), near, depth);
     }
@@ -33,7 +33,7 @@ internal static class SkyPicture
         float height = Math.Clamp((v - 0.5f) * 2, 0, 1);
         Intensity low = new(0.95f, 0.62f, 0.36f), middle = new(0.42f, 0.55f, 0.75f), high = new(0.07f, 0.16f, 0.42f);
         Intensity clear = height < 0.3f ? Intensity.Lerp(low, middle, height / 0.3f) : Intensity.Lerp(middle, high, (height - 0.3f) / 0.7f);
-        float cloud = Math.Clamp((LatticeNoise.Fractal(u, v * 2, 10, 12, 55) - 0.53f) * 6, 0, 1) * Math.Clamp(height * 6, 0, 1) * Math.Clamp((0.8f - height) * 3, 0, 1);
+        float cloud = Math.Clamp((LatticeNoise.Fractal(u, v, 10, 24, 55) - 0.53f) * 6, 0, 1) * Math.Clamp(height * 6, 0, 1) * Math.Clamp((0.8f - height) * 3, 0, 1);
         Intensity clouded = Intensity.Lerp(clear, new Intensity(0.95f, 0.86f, 0.8f), 0.75f * cloud);
         float du = (u - SunU) * 2, dv = v - SunV, distance = (du * du) + (dv * dv);
         float glow = 0.0016f / (distance + 0.0016f);

@@ -12,7 +12,7 @@ internal static class TexturePictures
         ["wood.png"] = () => Draw(512, 512, Wood),
         ["crate.png"] = () => Draw(256, 256, Crate),
         ["bricks.png"] = () => Draw(512, 256, Bricks),
-        ["spots.png"] = () => Draw(256, 128, Spots),
+        ["spots.png"] = () => Draw(512, 256, Spots),
         ["sky.png"] = () => Draw(1024, 512, SkyPicture.ColorAt),
     };
 
@@ -58,8 +58,8 @@ internal static class TexturePictures
     {
         int plank = (int)(u * 4);
         float across = (u * 4) - plank, along = v + (plank * 0.37f), end = along - MathF.Floor(along);
-        float grain = LatticeNoise.Fractal(u, v * 0.25f, 32, 8, 11 + (uint)plank);
-        float rings = (across * 3) + (5 * LatticeNoise.Smooth(plank + across, v * 2, 8, 3));
+        float grain = LatticeNoise.Fractal(u, v, 32, 2, 11 + (uint)plank);
+        float rings = (u * 12) + (5 * LatticeNoise.Smooth(u, v, 8, 2, 3));
         rings = MathF.Abs(rings - MathF.Floor(rings) - 0.5f) * 2;
         float tone = 0.5f + (0.25f * grain) + (0.15f * rings) + (0.16f * (LatticeNoise.At(plank, 0, 5) - 0.5f));
         bool isGap = across is < 0.012f or > 0.988f || end < 0.004f;
@@ -72,7 +72,7 @@ internal static class TexturePictures
         bool isFrame = u is < 0.12f or > 0.88f || v is < 0.12f or > 0.88f;
         bool isUpright = u is < 0.12f or > 0.88f;
         float board = isFrame ? (isUpright ? 7 : 8) : (int)(u * 5);
-        float grain = isUpright || !isFrame ? LatticeNoise.Fractal(u, v * 0.2f, 16, 8, 40 + (uint)board) : LatticeNoise.Fractal(v, u * 0.2f, 16, 8, 60);
+        float grain = isUpright || !isFrame ? LatticeNoise.Fractal(u, v, 24, 2, 40 + (uint)board) : LatticeNoise.Fractal(v, u, 24, 2, 60);
         float tone = (isFrame ? 0.62f : 0.42f) + (0.35f * grain);
         float gap = (u * 5) - MathF.Floor(u * 5);
         bool isShade = !isFrame && (gap is < 0.05f or > 0.95f || u is < 0.14f or > 0.86f || v is < 0.14f or > 0.86f);
@@ -97,7 +97,7 @@ internal static class TexturePictures
     /// <summary>Round spots in white on black: for slots that are switched on and off over a surface.</summary>
     private static Intensity Spots(float u, float v)
     {
-        float x = (u * 12) - MathF.Floor(u * 12) - 0.5f, y = (v * 6) - MathF.Floor(v * 6) - 0.5f;
+        float x = (u * 24) - MathF.Floor(u * 24) - 0.5f, y = (v * 12) - MathF.Floor(v * 12) - 0.5f;
         float edge = ((x * x) + (y * y) - 0.105f) / 0.02f;
         return Intensity.Grey(Math.Clamp(0.5f - edge, 0, 1));
     }
