@@ -14,8 +14,8 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     private readonly List<ShapeGroup<R, F, I>> _groups = [];
     private readonly int* _memberOfObject;
     private readonly int* _keyOfObject;
-    private readonly ObjectSearch<R, F, I> _all;
-    private readonly ObjectSearch<R, F, I> _casters;
+    private readonly SceneBvh<R, F, I> _all;
+    private readonly SceneBvh<R, F, I> _casters;
 
     /// <summary>Freezes a scene.</summary>
     /// <param name="scene">The scene; it must not be edited while this object is in use.</param>
@@ -35,10 +35,10 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
             group.Freeze(_memory, options.Threads);
         }
 
-        _all = new ObjectSearch<R, F, I>(entries, _memory, options.Threads);
-        _casters = scene.Objects.All(o => o.CastsShadows)
+        _all = Search(entries, options.Threads);
+        _casters = scene.Objects.All(item => item.CastsShadows)
             ? _all
-            : new ObjectSearch<R, F, I>([.. entries.Where(entry => scene.Objects[entry.Number].CastsShadows)], _memory, options.Threads);
+            : Search([.. entries.Where(entry => scene.Objects[entry.Number].CastsShadows)], options.Threads);
         Lights = [.. scene.Lights.Where(light => light is not AmbientLight)];
         foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
         {
@@ -77,13 +77,21 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     public void Nearest(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits)
     {
         hits.Clear(rays);
-        _all.Nearest(rays, hits);
+        _all.Nearest(rays, hits, 0, rays.Packets);
     }
 
     /// <summary>Turns off the rays that something blocks before their limit.</summary>
-    public void Block(RayBatch<R, F, I> rays) => _casters.Block(rays);
+    public void Block(RayBatch<R, F, I> rays) => _casters.Block(rays, 0, rays.Packets);
 
-    public void Dispose() => _memory.Dispose();
+    public void Dispose()
+    {
+        _all.Dispose();
+        _casters.Dispose();
+        _memory.Dispose();
+    }
+
+    private static SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
+        [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads);
 
     private List<ObjectEntry<R, F, I>> Pack(Scene scene)
     {
