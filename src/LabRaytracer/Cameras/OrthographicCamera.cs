@@ -42,12 +42,11 @@ public sealed class OrthographicCamera : Camera, IWideCamera
 
     unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
     {
-        R stepX = R.Of(Height / height), startX = R.Of(-Height * width / height / 2);
-        R stepY = R.Of(-Height / height), startY = R.Of(Height / 2);
+        R across = R.Of(width), down = R.Of(height), scale = R.Of(Height / height / 2);
         for (int packet = 0; packet < packets; packet++)
         {
-            R aside = R.Fma(x[packet], stepX, startX);
-            R above = R.Fma(y[packet], stepY, startY);
+            R aside = R.Fma(R.Of(2), x[packet], -across) * scale;
+            R above = R.Fma(R.Of(-2), y[packet], down) * scale;
             rays.OriginX[packet] = R.Fma(aside, R.Of(_frame.Right.X), R.Fma(above, R.Of(_frame.Up.X), R.Of(Eye.X)));
             rays.OriginY[packet] = R.Fma(aside, R.Of(_frame.Right.Y), R.Fma(above, R.Of(_frame.Up.Y), R.Of(Eye.Y)));
             rays.OriginZ[packet] = R.Fma(aside, R.Of(_frame.Right.Z), R.Fma(above, R.Of(_frame.Up.Z), R.Of(Eye.Z)));

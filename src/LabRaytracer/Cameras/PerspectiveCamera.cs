@@ -44,12 +44,11 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
 
     unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
     {
-        R stepX = R.Of(2 * _halfHeight / height), startX = R.Of(-_halfHeight * width / height);
-        R stepY = R.Of(-2 * _halfHeight / height), startY = R.Of(_halfHeight);
+        R across = R.Of(width), down = R.Of(height), scale = R.Of(_halfHeight / height);
         for (int packet = 0; packet < packets; packet++)
         {
-            R aside = R.Fma(x[packet], stepX, startX);
-            R above = R.Fma(y[packet], stepY, startY);
+            R aside = R.Fma(R.Of(2), x[packet], -across) * scale;
+            R above = R.Fma(R.Of(-2), y[packet], down) * scale;
             R dx = R.Fma(aside, R.Of(_frame.Right.X), R.Fma(above, R.Of(_frame.Up.X), R.Of(_frame.Forward.X)));
             R dy = R.Fma(aside, R.Of(_frame.Right.Y), R.Fma(above, R.Of(_frame.Up.Y), R.Of(_frame.Forward.Y)));
             R dz = R.Fma(aside, R.Of(_frame.Right.Z), R.Fma(above, R.Of(_frame.Up.Z), R.Of(_frame.Forward.Z)));
