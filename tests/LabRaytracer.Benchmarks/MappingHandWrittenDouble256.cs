@@ -57,14 +57,15 @@ internal static unsafe class HandWrittenDouble256
         Vector256<double> qError = Vector256.FusedMultiplyAdd(-q, denominatorError, residual) * inverse;
 
         Vector256<double> s = q * q, s2 = s * s;
-        Vector256<double> even = Vector256.FusedMultiplyAdd(Vector256.Create(-0.0069375065486129445), s2, Vector256.Create(-0.01056965912531461));
-        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.014468429468057348));
-        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.022736420297632096));
-        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.053051647697293376));
-        Vector256<double> odd = Vector256.FusedMultiplyAdd(Vector256.Create(0.0033833510998662122), s2, Vector256.Create(0.009059885564339773));
-        odd = Vector256.FusedMultiplyAdd(odd, s2, Vector256.Create(0.012239122291953342));
-        odd = Vector256.FusedMultiplyAdd(odd, s2, Vector256.Create(0.01768387546689437));
-        odd = Vector256.FusedMultiplyAdd(odd, s2, Vector256.Create(0.031830988616927854));
+        Vector256<double> even = Vector256.FusedMultiplyAdd(Vector256.Create(-0.00284943750816623), s2, Vector256.Create(-0.008020038465714181));
+        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.010604649356410235));
+        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.014468613090040723));
+        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.02273642043286274));
+        even = Vector256.FusedMultiplyAdd(even, s2, Vector256.Create(-0.053051647697298226));
+        Vector256<double> odd = Vector256.FusedMultiplyAdd(Vector256.Create(0.006057564491080749), s2, Vector256.Create(0.009307139268913885));
+        odd = Vector256.FusedMultiplyAdd(odd, s2, Vector256.Create(0.012242293061496124));
+        odd = Vector256.FusedMultiplyAdd(odd, s2, Vector256.Create(0.017683882041843634));
+        odd = Vector256.FusedMultiplyAdd(odd, s2, Vector256.Create(0.03183098861830459));
         Vector256<double> tail = Vector256.FusedMultiplyAdd(s, Vector256.FusedMultiplyAdd(odd, s, even), Vector256.Create(-9.839338337591243e-18));
         Vector256<double> sign = minus & Vector256.Create(-0.0), leading = Vector256.Create(0.15915494309189535);
         Vector256<double> origin = start + ((steep & Vector256.Create(0.125)) ^ sign);

@@ -28,6 +28,7 @@ public sealed class SphericalMapping : IWideMapping
     /// <param name="localPoint">The point in object space. For the angles NaN counts as 0 and infinity as the largest number: they stay in range.</param>
     public TextureCoordinate Map(Point3D localPoint)
     {
+        // The same formula, both angles of the point at once.
         (double u, double v) = Elementary.SphereTurns(localPoint.X, localPoint.Y, localPoint.Z);
         return new TextureCoordinate(u, v);
     }

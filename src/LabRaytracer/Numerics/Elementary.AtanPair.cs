@@ -47,5 +47,5 @@ internal static partial class Elementary
     private static int Bit(bool condition) => condition ? 1 : 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Double1 At(ReadOnlySpan<double> table, int index) => new(Unsafe.Add(ref System.Runtime.InteropServices.MemoryMarshal.GetReference(table), index));
+    private static Double1 At(ReadOnlySpan<double> table, int index) => new(table[index]);
 }

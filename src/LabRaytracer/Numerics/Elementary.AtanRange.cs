@@ -29,10 +29,10 @@ internal static partial class Elementary
         T one = T.Of(1);
         T tiny = T.Less(larger, Power<T>(-40, -300));
         T huge = T.Less(Power<T>(60, 400), larger);
-        T far = tiny & T.Less(Power<T>(27, 400), height);
-        T tall = ~tiny & ~huge & T.Less(Power<T>(60, 900), height);
+        T far = ~huge & T.Less(larger * Power<T>(60, 400), height);
+        T tall = ~tiny & ~huge & ~far & T.Less(Power<T>(60, 900), height);
         squares = T.Select(tiny, Power<T>(100, 600), T.Select(huge, Power<T>(-100, -600), one));
-        radiusScale = T.Select(far, Power<T>(-70, -400), T.Select(tall, Power<T>(-60, -300), one));
+        radiusScale = T.Select(far, T.Select(tiny, Power<T>(-70, -400), Power<T>(30, 200)), T.Select(tall, Power<T>(-60, -300), one));
         heightScale = T.Select(far, Power<T>(-10, -100), T.Select(tall, Power<T>(-60, -300), squares));
         undo = T.Select(far, Power<T>(-40, -300), one);
     }

@@ -23,14 +23,15 @@ internal static partial class Elementary
         where T : unmanaged, IReal<T>
     {
         T s2 = s * s;
-        T even = T.Fma(T.Of(-0.0069375065486129445), s2, T.Of(-0.01056965912531461));
-        even = T.Fma(even, s2, T.Of(-0.014468429468057348));
-        even = T.Fma(even, s2, T.Of(-0.022736420297632096));
-        even = T.Fma(even, s2, T.Of(-0.053051647697293376));
-        T odd = T.Fma(T.Of(0.0033833510998662122), s2, T.Of(0.009059885564339773));
-        odd = T.Fma(odd, s2, T.Of(0.012239122291953342));
-        odd = T.Fma(odd, s2, T.Of(0.01768387546689437));
-        odd = T.Fma(odd, s2, T.Of(0.031830988616927854));
+        T even = T.Fma(T.Of(-0.00284943750816623), s2, T.Of(-0.008020038465714181));
+        even = T.Fma(even, s2, T.Of(-0.010604649356410235));
+        even = T.Fma(even, s2, T.Of(-0.014468613090040723));
+        even = T.Fma(even, s2, T.Of(-0.02273642043286274));
+        even = T.Fma(even, s2, T.Of(-0.053051647697298226));
+        T odd = T.Fma(T.Of(0.006057564491080749), s2, T.Of(0.009307139268913885));
+        odd = T.Fma(odd, s2, T.Of(0.012242293061496124));
+        odd = T.Fma(odd, s2, T.Of(0.017683882041843634));
+        odd = T.Fma(odd, s2, T.Of(0.03183098861830459));
         return T.Fma(odd, s, even);
     }
 

@@ -10,7 +10,8 @@ public sealed class ElementaryOracleTests(ITestOutputHelper output)
     [InlineData("cos", 1.5)]
     [InlineData("exp2", 1.5)]
     [InlineData("log2", 1.5)]
-    [InlineData("pow", 24)]
+    [InlineData("hypot", 1)]
+    [InlineData("pow", 32)]
     public void Function_OracleRowsDouble_WithinBound(string name, double bound) => Check<Double8>(name, bound);
 
     [Theory]
@@ -18,6 +19,7 @@ public sealed class ElementaryOracleTests(ITestOutputHelper output)
     [InlineData("cos", 1.5)]
     [InlineData("exp2", 1.5)]
     [InlineData("log2", 1.5)]
+    [InlineData("hypot", 1)]
     [InlineData("pow", 4)]
     public void Function_OracleRowsFloat_WithinBound(string name, double bound) => Check<Float8>(name, bound);
 
@@ -39,6 +41,7 @@ public sealed class ElementaryOracleTests(ITestOutputHelper output)
             "cos" => Elementary.SinCosTurns(a).Cos,
             "exp2" => Elementary.Exp2(a),
             "log2" => Elementary.Log2(a),
+            "hypot" => Elementary.Hypotenuse(a, b),
             _ => Elementary.Pow(a, b),
         };
 

@@ -72,7 +72,7 @@ def main():
     atan = series(lambda r: mp.atan(r) / (tau * r), 1 / tau)
     end = mp.tan(mp.pi / 8) ** 2 * mp.mpf("1.0001")
     show("atan(sqrt s) / (2 pi sqrt s)", atan, 0, end, 6, [1 / tau], "float")
-    show("atan(sqrt s) / (2 pi sqrt s)", atan, 0, end, 11, [1 / tau], "double")
+    show("atan(sqrt s) / (2 pi sqrt s)", atan, 0, end, 12, [1 / tau], "double")
 
     sine = series(lambda r: mp.sin(tau * r) / r, tau)
     cosine = series(lambda r: (mp.cos(tau * r) - 1) / (r * r), -tau ** 2 / 2)

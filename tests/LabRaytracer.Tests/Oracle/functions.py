@@ -32,6 +32,9 @@ def rows(rng, kind):
         yield row("exp2", [rng.choice((rng.uniform(-1, 1), rng.uniform(-limit, limit), rng.uniform(-limit - 20, -limit)))], lambda a: mp.mpf(2) ** a)
         x = rng.choice((rng.uniform(0.5, 2), 1 + rng.uniform(-1, 1) * 10 ** rng.uniform(-7, -1), 2 ** rng.uniform(-limit - 20, limit)))
         yield row("log2", [x], lambda a: mp.log(a, 2))
+    size = 300 if kind is DOUBLE else 37
+    for _ in range(110):
+        yield row("hypot", [10 ** rng.uniform(-size, size)] * 2 if rng.random() < 0.2 else [rng.uniform(-1, 1), rng.uniform(-1, 1)], mp.hypot)
     for _ in range(400):
         x = rng.choice((rng.uniform(0, 1), 1 - 10 ** rng.uniform(-7, -1), 10 ** rng.uniform(-6, 0)))
         x = kind.round(x)
