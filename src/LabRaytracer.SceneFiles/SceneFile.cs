@@ -24,7 +24,7 @@ public static class SceneFile
     internal static LoadedScene Read(SceneSource source, string folder, SceneLoadOptions options)
     {
         SceneTree tree = SceneTreeReader.Read(source);
-        SceneReading reading = new(tree, folder, options);
+        SceneReading reading = new(tree, new SceneFolder(folder, options));
         RootFormat.Scene.TryRead(tree.Root, reading, out LoadedScene? scene);
         reading.ThrowIfMistaken();
         return scene!;

@@ -4,10 +4,10 @@ namespace LabRaytracer;
 /// <remarks>Thread safe once the scene is loaded. Parts are told apart by identity, not by value.</remarks>
 public sealed class SceneSourceMap
 {
-    private readonly SceneSource _source;
-    private readonly Dictionary<object, int> _offsets = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<object, (SceneSource Source, int Offset)> _places = new(ReferenceEqualityComparer.Instance);
+    private readonly string _file;
 
-    internal SceneSourceMap(SceneSource source) => _source = source;
+    internal SceneSourceMap(string file) => _file = file;
 
     /// <summary>Finds the place of a part.</summary>
     /// <param name="part">A texture, material, scene object, light or camera of the scene.</param>
@@ -16,12 +16,8 @@ public sealed class SceneSourceMap
     public bool TryLocate(object part, out SceneLocation location)
     {
         ArgumentNullException.ThrowIfNull(part);
-        bool found = _offsets.TryGetValue(part, out int offset);
-        lock (_source)
-        {
-            location = found ? _source.Locate(offset) : default;
-        }
-
+        bool found = _places.TryGetValue(part, out (SceneSource Source, int Offset) place);
+        location = found ? place.Source.Locate(place.Offset) : default;
         return found;
     }
 
@@ -32,10 +28,19 @@ public sealed class SceneSourceMap
     public SceneFileException Explain(object part, Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
-        SceneLocation place = TryLocate(part, out SceneLocation location) ? location : new SceneLocation(_source.File, 1, 1);
+        SceneLocation place = TryLocate(part, out SceneLocation location) ? location : new SceneLocation(_file, 1, 1);
         return new SceneFileException(new SceneFileError(place, Wording.Reason(failure)), failure);
     }
 
     /// <summary>Notes where a part stands; the first place counts.</summary>
-    internal void Note(object part, SceneNode node) => _offsets.TryAdd(part, node.Offset);
+    internal void Note(object part, SceneSource source, int offset) => _places.TryAdd(part, (source, offset));
+
+    /// <summary>Takes over the places of a file that the scene names.</summary>
+    internal void Add(SceneSourceMap other)
+    {
+        foreach ((object part, (SceneSource Source, int Offset) place) in other._places)
+        {
+            _places.TryAdd(part, place);
+        }
+    }
 }

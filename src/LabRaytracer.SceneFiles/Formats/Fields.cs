@@ -36,6 +36,26 @@ internal sealed class Fields(SceneNode node, SceneReading reading)
         Failed = true;
     }
 
+    /// <summary>Makes something of values that may not fit together.</summary>
+    /// <param name="key">The key to blame.</param>
+    /// <param name="make">Makes it; throws <see cref="ArgumentException"/> where they do not.</param>
+    /// <param name="what">What is wrong then.</param>
+    /// <param name="allowed">What would be right.</param>
+    /// <returns>Null after a mistake, which is noted: the object is not made.</returns>
+    public T? Make<T>(Key key, Func<T> make, string what, string allowed)
+        where T : class
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException)
+        {
+            Fail(key, what, allowed);
+            return null;
+        }
+    }
+
     private (Key Key, SceneNode Node, object Value)? Find(Key key)
     {
         foreach ((Key Key, SceneNode Node, object Value) value in _values)

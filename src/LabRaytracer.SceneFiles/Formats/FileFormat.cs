@@ -4,11 +4,11 @@ using System.Text.Json.Nodes;
 namespace LabRaytracer;
 
 /// <summary>A file that exists, named relative to the scene's folder.</summary>
-internal sealed class FileFormat(string what) : Format<SceneFilePath>
+internal sealed class FileFormat(string what) : Format<NamedFile>
 {
-    public override string Allowed => $"the path of {what}, relative to the scene's folder, with '/' between folders";
+    public override string Allowed => $"the path of {what} in the scene's folder or below, with '/' between folders";
 
-    public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out SceneFilePath value)
+    public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out NamedFile value)
     {
         value = null;
         if (node.Kind != NodeKind.Text)
@@ -17,34 +17,19 @@ internal sealed class FileFormat(string what) : Format<SceneFilePath>
         }
 
         string name = node.Text();
-        if (SceneFilePath.Refusal(name, reading.Options.AllowOutsidePaths) is { } refusal)
+        if (reading.Folder.Find(name, reading.Folder.Root, out string path) is { } why)
         {
-            return reading.Mistake(node, $"{Wording.Quote(name)} {refusal}", Allowed);
+            return reading.Mistake(node, why, Allowed);
         }
 
-        string path = Path.GetFullPath(Path.Combine(reading.Folder, name));
-        if (!File.Exists(path))
-        {
-            string why = Directory.Exists(path) ? "is a folder" : $"does not exist{Wording.Suggestion(Path.GetFileName(name), Neighbours(path))}";
-            return reading.Mistake(node, $"the file {Wording.Quote(name)} {why}", Allowed);
-        }
-
-        value = new SceneFilePath(name, path, node);
+        value = new NamedFile(path, node);
         return true;
     }
 
     public override JsonObject Schema(SchemaBuilder schema) => new() { ["type"] = "string", ["minLength"] = 1 };
-
-    private static IEnumerable<string> Neighbours(string path)
-    {
-        string? folder = Path.GetDirectoryName(path);
-        try
-        {
-            return Directory.Exists(folder) ? [.. Directory.EnumerateFiles(folder).Take(1000).Select(file => Path.GetFileName(file))] : [];
-        }
-        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
-        {
-            return [];
-        }
-    }
 }
+
+/// <summary>A file that a scene names.</summary>
+/// <param name="Path">The absolute path.</param>
+/// <param name="Node">Where the scene names it.</param>
+internal sealed record NamedFile(string Path, SceneNode Node);

@@ -9,7 +9,7 @@ namespace LabRaytracer;
 /// <param name="keys">The keys.</param>
 /// <param name="build">Makes the result when every key is right.</param>
 /// <param name="tag">Key and value that tell this kind of object from its siblings; null if there are none.</param>
-internal sealed class ObjectFormat<T>(string name, string description, IReadOnlyList<Key> keys, Func<Fields, T> build, (string Key, string Value)? tag = null) : Format<T>
+internal sealed class ObjectFormat<T>(string name, string description, IReadOnlyList<Key> keys, Func<Fields, T?> build, (string Key, string Value)? tag = null) : Format<T>
     where T : notnull
 {
     /// <summary>Key and value that tell this kind of object from its siblings.</summary>
@@ -97,23 +97,24 @@ internal sealed class ObjectFormat<T>(string name, string description, IReadOnly
         return good;
     }
 
-    // Constructors of the library check what no key alone can tell, such as a camera that looks along its own up direction.
+    // What formats do not check, constructors of the library do.
     private bool TryBuild(Fields fields, [MaybeNullWhen(false)] out T value)
     {
         try
         {
             value = build(fields);
-            if (value is ITexture or Material or Light or Camera)
-            {
-                fields.Reading.SourceMap.Note(value, fields.Node);
-            }
-
-            return !fields.Failed;
         }
         catch (ArgumentException failure)
         {
             value = default;
             return fields.Reading.Mistake(fields.Node, Wording.Reason(failure), allowed: null);
         }
+
+        if (value is ITexture or Material or Light or Camera)
+        {
+            fields.Reading.Note(value, fields.Node);
+        }
+
+        return value is not null && !fields.Failed;
     }
 }

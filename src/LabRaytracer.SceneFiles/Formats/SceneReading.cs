@@ -1,19 +1,21 @@
 namespace LabRaytracer;
 
 /// <summary>What is known and noted while one scene file is read.</summary>
-internal sealed class SceneReading(SceneTree tree, string folder, SceneLoadOptions options)
+internal sealed class SceneReading(SceneTree tree, SceneFolder folder)
 {
     private const int MostMistakes = 1000;
     private readonly List<SceneFileError> _mistakes = [.. tree.Mistakes];
+    private readonly List<SceneFileError> _others = [];
     private int _unlisted;
 
-    /// <summary>The scene's folder, absolute.</summary>
-    public string Folder => folder;
-
-    public SceneLoadOptions Options => options;
+    /// <summary>The scene's folder and what is open of it.</summary>
+    public SceneFolder Folder => folder;
 
     /// <summary>Where the parts of the scene stand in the file.</summary>
-    public SceneSourceMap SourceMap { get; } = new(tree.Source);
+    public SceneSourceMap SourceMap { get; } = new(tree.Source.File);
+
+    /// <summary>Notes where a part of the scene stands.</summary>
+    public void Note(object part, SceneNode node) => SourceMap.Note(part, tree.Source, node.Offset);
 
     /// <summary>Name of the texture or material that is being read; empty for one without.</summary>
     public string NameBeingRead { get; set; } = "";
@@ -23,9 +25,6 @@ internal sealed class SceneReading(SceneTree tree, string folder, SceneLoadOptio
 
     /// <summary>Materials by name; null for one with a mistake in it.</summary>
     public Dictionary<string, Material?> Materials { get; } = new(StringComparer.Ordinal);
-
-    /// <summary>Picture files that are open, by full path.</summary>
-    public Dictionary<string, Texture> Pictures { get; } = new(StringComparer.Ordinal);
 
     /// <summary>Notes a mistake; the result is false, for <c>return</c>.</summary>
     public bool Mistake(SceneNode node, string what, string? allowed)
@@ -41,6 +40,13 @@ internal sealed class SceneReading(SceneTree tree, string folder, SceneLoadOptio
         return false;
     }
 
+    /// <summary>Takes over the mistakes of a file that the scene names; the result is false, for <c>return</c>.</summary>
+    public bool Mistakes(IEnumerable<SceneFileError> mistakes)
+    {
+        _others.AddRange(mistakes);
+        return false;
+    }
+
     /// <summary>Notes that a value is not what is allowed; the result is false, for <c>return</c>.</summary>
     public bool WrongValue(SceneNode node, string allowed) => Mistake(node, $"{Describe(node)} does not fit", allowed);
 
@@ -48,7 +54,7 @@ internal sealed class SceneReading(SceneTree tree, string folder, SceneLoadOptio
     /// <exception cref="SceneFileException">There was.</exception>
     public void ThrowIfMistaken()
     {
-        if (_mistakes.Count == 0)
+        if (_mistakes.Count + _others.Count == 0)
         {
             return;
         }
@@ -59,7 +65,7 @@ internal sealed class SceneReading(SceneTree tree, string folder, SceneLoadOptio
             sorted.Add(sorted[^1] with { Message = $"and {_unlisted} more mistakes", Allowed = null });
         }
 
-        throw new SceneFileException(sorted);
+        throw new SceneFileException([.. sorted, .. _others]);
     }
 
     private static string Describe(SceneNode node) => node.Kind switch

@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>The bytes of a text file, and where its lines start.</summary>
 internal sealed class SceneSource
 {
-    private int[]? _lineStarts;
+    private volatile int[]? _lineStarts;
 
     public SceneSource(string file, byte[] bytes)
     {
@@ -23,13 +23,13 @@ internal sealed class SceneSource
     /// <summary>Offset of the first byte after the byte order mark.</summary>
     public int TextStart { get; }
 
-    /// <summary>Line and column of a byte.</summary>
+    /// <summary>Line and column of a byte. Thread safe.</summary>
     public SceneLocation Locate(int offset)
     {
-        _lineStarts ??= FindLineStarts();
-        int line = Array.BinarySearch(_lineStarts, offset);
+        int[] starts = _lineStarts ??= FindLineStarts();
+        int line = Array.BinarySearch(starts, offset);
         line = line >= 0 ? line : ~line - 1;
-        ReadOnlySpan<byte> before = Bytes.AsSpan(_lineStarts[line], offset - _lineStarts[line]);
+        ReadOnlySpan<byte> before = Bytes.AsSpan(starts[line], offset - starts[line]);
         return new SceneLocation(File, line + 1, Encoding.UTF8.GetCharCount(before) + 1);
     }
 

@@ -12,14 +12,33 @@ internal static class CameraFormats
     private static readonly Key<double> s_fieldOfView = Key.Optional(
         "fieldOfViewDegrees", new NumberFormat { Above = 0, Below = 180 }, 40, "Vertical angle of view, degrees.");
 
+    private static readonly Key<double> s_height = Key.Required("height", NumberFormat.Positive, "Height of the picture, scene units.");
+
     /// <summary>A camera, told by its type.</summary>
     public static VariantFormat<Camera> Any { get; } = new(
         "type",
         "The camera.",
         [
             new("perspectiveCamera", "A pinhole camera.", [s_eye, s_target, s_up, s_fieldOfView], Perspective, ("type", "perspective")),
+            new("orthographicCamera", "Parallel rays: sizes do not change with distance.", [s_eye, s_target, s_up, s_height], Orthographic, ("type", "orthographic")),
+            new("sphericalCamera", "All directions around a point, as a lat-long picture.", [s_eye], fields => new SphericalCamera(fields.Get(s_eye)), ("type", "spherical")),
         ]);
 
-    private static PerspectiveCamera Perspective(Fields fields) =>
-        new(fields.Get(s_eye), fields.Get(s_target), fields.Get(s_fieldOfView), fields.Get(s_up));
+    private static PerspectiveCamera? Perspective(Fields fields) => LooksSomewhere(fields, () =>
+        new PerspectiveCamera(fields.Get(s_eye), fields.Get(s_target), fields.Get(s_fieldOfView), fields.Get(s_up)));
+
+    private static OrthographicCamera? Orthographic(Fields fields) => LooksSomewhere(fields, () =>
+        new OrthographicCamera(fields.Get(s_eye), fields.Get(s_target), fields.Get(s_height), fields.Get(s_up)));
+
+    private static T? LooksSomewhere<T>(Fields fields, Func<T> make)
+        where T : Camera
+    {
+        if (fields.Get(s_eye) == fields.Get(s_target))
+        {
+            fields.Fail(s_target, "the target is where the camera stands", "any other point");
+            return null;
+        }
+
+        return fields.Make(s_up, make, "the camera looks along its own up direction", "an up direction beside the line from eye to target");
+    }
 }

@@ -43,9 +43,21 @@ internal static class LightFormats
 
     private static DirectionalLight Directional(Fields fields) => new(fields.Get(s_direction), fields.Get(s_intensity));
 
-    private static Light Spot(Fields fields)
+    private static SpotLight? Spot(Fields fields)
     {
         double outer = fields.Get(s_outer), inner = fields.Has(s_inner) ? fields.Get(s_inner) : outer;
+        if (inner > outer)
+        {
+            fields.Fail(s_inner, "the inner angle is larger than the outer", "angles up to outerDegrees");
+            return null;
+        }
+
+        if (fields.Get(s_position) == fields.Get(s_target))
+        {
+            fields.Fail(s_target, "the target is where the light stands", "any other point");
+            return null;
+        }
+
         return new SpotLight(fields.Get(s_position), fields.Get(s_target), fields.Get(s_intensity), outer, inner)
         {
             Attenuation = fields.Get(s_attenuation).Make(),

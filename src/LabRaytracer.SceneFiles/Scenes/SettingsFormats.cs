@@ -72,7 +72,7 @@ internal static class SettingsFormats
     private static SceneOutput Written(Fields fields)
     {
         string? file = fields.Find(s_file);
-        if (file is not null && (file.Contains('/') || SceneFilePath.Refusal(file, allowOutside: false) is not null || file is "." or ".."))
+        if (file is not null && (file.Contains('/') || SceneFolder.Refusal(file, allowOutside: false) is not null || file is "." or ".."))
         {
             fields.Fail(s_file, $"{Wording.Quote(file)} is not a plain file name", "a name without folders, such as earth.png");
         }

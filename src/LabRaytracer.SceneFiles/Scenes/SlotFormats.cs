@@ -27,7 +27,11 @@ internal static class SlotFormats
         "uvTransform",
         "Transform of texture coordinates: scale, then rotation, then offset.",
         [s_offset, s_scale, s_rotate, s_center],
-        fields => new UvTransform(fields.Get(s_offset), fields.Get(s_rotate), fields.Get(s_scale), fields.Get(s_center)));
+        fields => fields.Make(
+            s_scale,
+            () => new UvTransform(fields.Get(s_offset), fields.Get(s_rotate), fields.Get(s_scale), fields.Get(s_center)),
+            "the numbers of the transform are so large that their product is no number",
+            "smaller numbers"));
 
     private static readonly Key<Intensity> s_value = Key.Optional("value", Colors.Any, Intensity.White, "The coefficient without texture, linear.");
 

@@ -3,7 +3,9 @@ namespace LabRaytracer;
 /// <summary>Textures of scene files.</summary>
 internal static class TextureFormats
 {
-    private static readonly Key<SceneFilePath> s_file = Key.Required(
+    private static readonly GridTexture s_grid = new();
+
+    private static readonly Key<NamedFile> s_file = Key.Required(
         "file", new FileFormat("a picture"), "Path of a PNG, PPM, PGM, PFM, HDR or JPEG picture, relative to the folder of this file.");
 
     private static readonly Key<TextureFilter> s_filter = Key.Optional(
@@ -39,6 +41,12 @@ internal static class TextureFormats
 
     private static readonly Key<Intensity> s_line = Key.Optional("line", Colors.Any, Intensity.Black, "Colour of the lines.");
 
+    private static readonly Key<int> s_gridColumns = Key.Optional("columns", new IntegerFormat(2, 100), s_grid.Columns, "Cells along u from 0 to 1.");
+
+    private static readonly Key<int> s_gridRows = Key.Optional("rows", new IntegerFormat(2, 100), s_grid.Rows, "Cells along v from 0 to 1.");
+
+    private static readonly Key<double> s_gridLine = Key.Optional("lineWidth", NumberFormat.Share, s_grid.LineWidth, "Width of the lines between cells, in cells.");
+
     /// <summary>A texture, told by its type.</summary>
     public static VariantFormat<ITexture> Inline { get; } = new(
         "type",
@@ -47,6 +55,7 @@ internal static class TextureFormats
             new("imageTexture", "A picture file.", [s_file, s_filter, s_texels, s_wrapU, s_wrapV, s_colorSpace], Open, ("type", "image")),
             new("constantTexture", "The same colour everywhere.", [s_color], fields => new ConstantTexture(fields.Get(s_color)), ("type", "constant")),
             new("checkerTexture", "A checkerboard.", [s_even, s_odd, s_columns, s_rows, s_space, s_lineWidth, s_line], Checker, ("type", "checker")),
+            new("gridTexture", "The numbered test grid of the lab sheet.", [s_gridColumns, s_gridRows, s_gridLine], Grid, ("type", "grid")),
         ]);
 
     /// <summary>Named textures.</summary>
@@ -58,18 +67,10 @@ internal static class TextureFormats
     /// <summary>A texture by name or in place.</summary>
     public static EitherFormat<ITexture> Any { get; } = new("the name of a texture, or a texture { \"type\": ... }", (NodeKind.Text, Name), (NodeKind.Object, Inline)) { Name = "textureReference" };
 
-    // One file is opened and decoded once, however many textures look it up in their own ways.
     private static ITexture Open(Fields fields)
     {
-        SceneFilePath file = fields.Get(s_file);
-        Dictionary<string, Texture> open = fields.Reading.Pictures;
-        if (!open.TryGetValue(file.FullPath, out Texture? picture))
-        {
-            picture = Texture.Load(file.FullPath);
-            open.Add(file.FullPath, picture);
-        }
-
-        Texture texture = picture.With(new SamplingOptions
+        NamedFile file = fields.Get(s_file);
+        Texture texture = fields.Reading.Folder.Open(file.Path).With(new SamplingOptions
         {
             Filter = fields.Get(s_filter),
             Texels = fields.Get(s_texels),
@@ -77,7 +78,7 @@ internal static class TextureFormats
             WrapV = fields.Has(s_wrapV) ? fields.Get(s_wrapV) : null,
             ColorSpace = fields.Get(s_colorSpace),
         });
-        fields.Reading.SourceMap.Note(texture, file.Node);
+        fields.Reading.Note(texture, file.Node);
         return texture;
     }
 
@@ -90,5 +91,10 @@ internal static class TextureFormats
         Space = fields.Get(s_space),
         LineWidth = fields.Get(s_lineWidth),
         Line = fields.Get(s_line),
+    };
+
+    private static GridTexture Grid(Fields fields) => new()
+    {
+        Columns = fields.Get(s_gridColumns), Rows = fields.Get(s_gridRows), LineWidth = fields.Get(s_gridLine),
     };
 }

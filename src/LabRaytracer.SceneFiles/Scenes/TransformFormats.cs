@@ -34,19 +34,19 @@ internal static class TransformFormats
             new ListFormat<Transform>(s_step, "transform steps"),
             steps => steps.Aggregate(Transform.Identity, (all, next) => all.Then(next))))) { Name = "transform" };
 
-    private static Transform Step(Fields fields)
+    private static Transform? Step(Fields fields)
     {
         Key[] given = [.. new Key[] { s_translate, s_scale, s_rotate, s_matrix }.Where(fields.Has)];
         if (given.Length != 1 || (fields.Has(s_axis) && given[0] != s_rotate))
         {
             fields.Fail(given.Length > 1 ? given[1] : s_axis, "a step does one thing", "translate, scale, rotateDegrees with or without axis, matrix");
-            return Transform.Identity;
+            return null;
         }
 
         return given[0] == s_translate ? Transform.Translation(fields.Get(s_translate))
-            : given[0] == s_scale ? Transform.Scaling(fields.Get(s_scale))
             : given[0] == s_rotate ? Transform.Rotation(fields.Get(s_axis), fields.Get(s_rotate))
-            : Transform.FromRows(fields.Get(s_matrix).Rows);
+            : given[0] == s_scale ? fields.Make(s_scale, () => Transform.Scaling(fields.Get(s_scale)), "a factor is 0, or beyond what can be inverted", "factors other than 0")
+            : fields.Make(s_matrix, () => Transform.FromRows(fields.Get(s_matrix).Rows), "the matrix is singular: it flattens space", "matrices that can be inverted");
     }
 
     private readonly record struct Matrix(double[] Rows);

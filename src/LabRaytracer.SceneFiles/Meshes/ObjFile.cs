@@ -1,0 +1,50 @@
+namespace LabRaytracer;
+
+/// <summary>Reads triangle meshes from Wavefront OBJ files, and their materials from MTL files.</summary>
+/// <remarks>
+/// Read: v, vt, vn, f (also with negative indices, and polygons, which are cut into triangles), usemtl, mtllib. v points up in texture space, as in the file.
+/// Names, smoothing groups, points, lines, curves and surfaces are passed over. Triangles without area are left out. Thread safe.
+/// </remarks>
+public static class ObjFile
+{
+    /// <summary>Reads an OBJ file. Picture files of its materials are looked for now, but decoded when a renderer needs them.</summary>
+    /// <param name="path">Path of the file; MTL files and pictures are relative to its folder, and not outside it unless the options allow.</param>
+    /// <param name="options">How; null for the defaults.</param>
+    /// <exception cref="SceneFileException">A file cannot be read, or has mistakes: all of a file are listed.</exception>
+    public static ObjScene Load(string path, SceneLoadOptions? options = null)
+    {
+        ArgumentException.ThrowIfNullOrEmpty(path);
+        string folder = Path.GetDirectoryName(Path.GetFullPath(path)) ?? "";
+        return Load(path, new SceneFolder(folder, options ?? SceneLoadOptions.Default), useMaterials: true);
+    }
+
+    /// <summary>Reads an OBJ file of a scene.</summary>
+    /// <param name="path">Path of the file, as messages shall name it.</param>
+    /// <param name="folder">The folder that files must not lie outside of.</param>
+    /// <param name="useMaterials">Whether MTL files are read.</param>
+    /// <exception cref="SceneFileException">A file cannot be read, or has mistakes.</exception>
+    internal static ObjScene Load(string path, SceneFolder folder, bool useMaterials)
+    {
+        SceneSource source = new(path, TextFiles.Read(path, folder.Options.MaxMeshBytes, "mesh"));
+        ObjReader lines = ObjReader.Read(source);
+        return Make(useMaterials ? lines : lines with { Libraries = [] }, source, folder);
+    }
+
+    /// <summary>The meshes and materials of lines that were read.</summary>
+    internal static ObjScene Make(ObjReader lines, SceneSource source, SceneFolder folder)
+    {
+        MtlLibrary library = new(source, folder);
+        foreach ((string name, int offset) in lines.Libraries)
+        {
+            library.Load(name, offset);
+        }
+
+        foreach ((_, string name, int offset) in lines.Materials)
+        {
+            library.CheckName(name, offset);
+        }
+
+        library.ThrowIfMistaken();
+        return new ObjScene(ObjMeshes.Make(lines, library.Materials), library.Materials, library.SourceMap);
+    }
+}
