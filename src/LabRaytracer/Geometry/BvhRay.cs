@@ -9,8 +9,9 @@ namespace LabRaytracer;
 /// which moves the ray by less than 2^-50 of its way through the tree's box.</para>
 /// <para>Let o be an origin's coordinate and b the largest coordinate of the tree's box, both relative to the tree's centre, u = 2^-24, and e the unit roundoff of the
 /// lanes (2^-53, or u). The float plane at c is wrong by at most u (2 |c| + 4 |o|) of length along its axis: two roundings of the slope, three of the offset, one of the
-/// fma. The triangle test itself may find a point up to 16 e D beside the exact ray, with D the sum of all coordinates of ray and box. Every plane is moved outward by
-/// w = 8 u (|o| + b) + 16 e D, which covers all of it, the 2^-50 above and the rounding of w itself.</para>
+/// fma. The triangle test may find a point up to 8 e D beside the exact ray, with D the sum of all coordinates of ray and box: each sheared vertex is wrong by up to
+/// 4 e D, and weights wrong by 2 e move a mean of vertices that lie within D. Every plane is moved outward by w = 8 u (|o| + b) + 16 e D, which covers all of it, the
+/// 2^-50 above and the rounding of w itself.</para>
 /// </remarks>
 /// <typeparam name="R">Lane type of geometry.</typeparam>
 /// <typeparam name="F">Float lanes of the same width.</typeparam>
