@@ -22,7 +22,7 @@ internal static class ListVerb
 
     private static void WriteScenes(TextWriter writer)
     {
-        string folder = SceneFolder.File("");
+        string folder = SampleScenes.File("");
         writer.WriteLine("scenes:");
         foreach (string path in Directory.EnumerateFiles(folder, "*.json", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
         {

@@ -15,7 +15,7 @@ internal static class WelcomeVerb
         foreach (string name in s_scenes)
         {
             Stopwatch clock = Stopwatch.StartNew();
-            string path = SceneFolder.File($"{name}.json"), output = PictureOutput.DefaultPath($"{name}.png");
+            string path = SampleScenes.File($"{name}.json"), output = PictureOutput.DefaultPath($"{name}.png");
             LoadedScene scene = SceneInput.Load(path);
             PictureOutput.Check(output);
             RenderResult result = SceneInput.Render(scene, name, scene.RenderOptions, console, stop);

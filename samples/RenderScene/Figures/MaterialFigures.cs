@@ -76,5 +76,5 @@ internal static class MaterialFigures
         return scene;
     }
 
-    private static Texture Load(string name) => Texture.Load(SceneFolder.File(Path.Combine("textures", name)));
+    private static Texture Load(string name) => Texture.Load(SampleScenes.File(Path.Combine("textures", name)));
 }

@@ -10,23 +10,27 @@ internal static class PlaneFigures
     public static Picture Axes(FigureTools tools)
     {
         const int Columns = 8, Rows = 4;
-        Texture texture = Texture.Load(SceneFolder.File("textures/test-8x4.png")).With(new SamplingOptions { Filter = TextureFilter.Nearest });
+        Texture texture = Texture.Load(SampleScenes.File("textures/test-8x4.png")).With(new SamplingOptions { Filter = TextureFilter.Nearest });
         int cell = tools.Scaled(110), left = (tools.Width - (Columns * cell)) / 2, top = tools.Scaled(70), bottom = top + (Rows * cell), size = tools.Scaled(17);
         Canvas canvas = new(tools.Width, bottom + tools.Scaled(130), FigureTools.Paper);
         canvas.Flat(texture, left, top, Columns * cell, Rows * cell);
         canvas.Frame(left, top, Columns * cell, Rows * cell);
         for (int x = 0; x < Columns; x++)
         {
-            canvas.Label(x.ToString(CultureInfo.InvariantCulture), left + ((x + 0.5) * cell), bottom + tools.Scaled(30), size);
+            double at = left + (x * Columns * cell / (Columns - 1.0));
+            canvas.Line(at, bottom, at, bottom + tools.Scaled(8));
+            canvas.Label(x.ToString(CultureInfo.InvariantCulture), at, bottom + tools.Scaled(32), size);
         }
 
         for (int y = 0; y < Rows; y++)
         {
-            canvas.Label(y.ToString(CultureInfo.InvariantCulture), left - tools.Scaled(22), bottom - ((y + 0.5) * cell) + (size / 2.0), size);
+            double at = bottom - (y * Rows * cell / (Rows - 1.0));
+            canvas.Line(left, at, left - tools.Scaled(8), at);
+            canvas.Label(y.ToString(CultureInfo.InvariantCulture), left - tools.Scaled(24), at + (size / 2.0), size);
         }
 
-        canvas.Label("x_p = 7u", left + (Columns * cell) + tools.Scaled(82), bottom + tools.Scaled(30), size);
-        canvas.Label("y_p = 3v", left - tools.Scaled(90), top - tools.Scaled(22), size);
+        canvas.Label("x_p = 7u", left + (Columns * cell) + tools.Scaled(110), bottom + tools.Scaled(32), size);
+        canvas.Label("y_p = 3v", left - tools.Scaled(100), top - tools.Scaled(12), size);
         DrawCoordinateAxes(canvas, tools, (left, bottom), (Columns * cell, Rows * cell));
         (double x0, double y0) = (left + (0.4 * Columns * cell), bottom - (0.36 * Rows * cell));
         canvas.Ink = Intensity.Black;

@@ -1,7 +1,7 @@
 namespace RenderScene;
 
 /// <summary>The folder with the scenes that come with the program.</summary>
-internal static class SceneFolder
+internal static class SampleScenes
 {
     /// <summary>The folder: "scenes" in the current folder, or beside the sources that the program was built from.</summary>
     /// <exception cref="InputException">There is none.</exception>
