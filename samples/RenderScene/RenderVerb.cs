@@ -18,6 +18,8 @@ internal sealed class RenderVerb
 
     private readonly Option<bool> _quiet = new("--quiet", "-q") { Description = "No progress and no summary." };
 
+    private readonly Option<bool> _allowPath = new("--allow-path") { Description = "Let the scene name files outside its own folder." };
+
     private readonly RenderSettings _settings = new();
 
     /// <summary>The verb for the command line.</summary>
@@ -25,7 +27,7 @@ internal sealed class RenderVerb
     {
         RenderVerb verb = new();
         Command command = new("render", "Renders a scene file into a picture file.") { verb._scene, verb._output };
-        foreach (Option option in verb._settings.All.Concat([verb._stats, verb._statsJson, verb._quiet]))
+        foreach (Option option in verb._settings.All.Concat([verb._allowPath, verb._stats, verb._statsJson, verb._quiet]))
         {
             command.Options.Add(option);
         }
@@ -43,7 +45,7 @@ internal sealed class RenderVerb
         }
 
         Stopwatch clock = Stopwatch.StartNew();
-        LoadedScene scene = SceneInput.Load(scenePath);
+        LoadedScene scene = SceneInput.Load(scenePath, new SceneLoadOptions { AllowOutsidePaths = parsed.GetValue(_allowPath) });
         double loadSeconds = clock.Elapsed.TotalSeconds;
         RenderOptions options = _settings.Apply(parsed, scene.RenderOptions);
         string output = parsed.GetValue(_output) ?? PictureOutput.DefaultPath(scene.Output.FileName ?? $"{Path.GetFileNameWithoutExtension(scenePath)}.png");

@@ -6,12 +6,14 @@ namespace RenderScene;
 internal static class SceneInput
 {
     /// <summary>Reads a scene file.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="options">What it may name; null for the defaults.</param>
     /// <exception cref="InputException">It needs generated files that are not there yet.</exception>
     /// <exception cref="SceneFileException">It cannot be read.</exception>
-    public static LoadedScene Load(string path)
+    public static LoadedScene Load(string path, SceneLoadOptions? options = null)
     {
         BenchData.ThrowIfMissing(path);
-        return SceneFile.Load(path);
+        return SceneFile.Load(path, options);
     }
 
     /// <summary>Renders a scene and shows the progress.</summary>

@@ -22,7 +22,7 @@ internal static class BenchPictures
                 for (int channel = 0; channel < 3; channel++)
                 {
                     uint seed = (uint)((number * 16) + channel + 1);
-                    float clouds = Octaves((float)x / width, (float)y / height, seed);
+                    float clouds = Math.Clamp((2.2f * Octaves((float)x / width, (float)y / height, seed)) - 0.6f, 0, 1);
                     float grain = LatticeNoise.At(x, y, seed + 8);
                     channels[channel] = (0.68f * clouds) + stripe + (0.2f * grain);
                 }
