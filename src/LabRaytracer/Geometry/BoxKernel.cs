@@ -20,7 +20,7 @@ internal readonly struct BoxKernel : IShapeKernel
         numbers[HalfZ] = box.Half.Z;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -33,7 +33,7 @@ internal readonly struct BoxKernel : IShapeKernel
     }
 
     /// <remarks>The coordinate along the normal of the face is exactly plus or minus half the size, the others stay within the face.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>

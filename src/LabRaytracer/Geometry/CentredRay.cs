@@ -24,7 +24,7 @@ internal readonly struct CentredRay<R>
     /// <summary>1 / D.D.</summary>
     public readonly R InverseLengthSquared;
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public CentredRay(in RayLanes<R> ray, R centerX, R centerY, R centerZ)
     {
         (DirectionX, DirectionY, DirectionZ) = (ray.DirectionX, ray.DirectionY, ray.DirectionZ);

@@ -19,7 +19,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         numbers[HalfHeight] = cylinder.Height / 2;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -31,7 +31,7 @@ internal readonly struct CylinderKernel : IShapeKernel
     }
 
     /// <remarks>The local point is put back onto the mantle along its normal; y stays.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>

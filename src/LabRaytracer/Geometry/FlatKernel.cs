@@ -24,7 +24,7 @@ internal readonly struct FlatKernel<TOutline> : IShapeKernel
     }
 
     /// <remarks>t = k + s with s = -n.l / n.d from the ray's point l nearest to the centre: what is inside the outline does not depend on the distance.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -34,7 +34,7 @@ internal readonly struct FlatKernel<TOutline> : IShapeKernel
     }
 
     /// <remarks>The point is rebuilt from its local coordinates, so that it lies in the plane.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>

@@ -1,7 +1,10 @@
 namespace LabRaytracer;
 
 /// <summary>The formulas of one class of shapes, written once for any width and precision.</summary>
-/// <remarks>The scalar calls of the public shape run the same formulas with one lane.</remarks>
+/// <remarks>
+/// The scalar calls of the public shape run the same formulas with one lane. Both methods ask not to be inlined: the compiler's budget for inlining the
+/// lane operators grows with the method that it starts from, and a whole kernel inside a short loop exceeds it.
+/// </remarks>
 internal interface IShapeKernel
 {
     /// <summary>How many numbers describe one shape.</summary>

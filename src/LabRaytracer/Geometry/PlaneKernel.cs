@@ -23,7 +23,7 @@ internal readonly struct PlaneKernel : IShapeKernel
     /// <remarks>
     /// t = n.(q - o) / n.d, both products as if with twice the digits: t is within 1 ulp also for rays that graze the plane or start near it.
     /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -45,7 +45,7 @@ internal readonly struct PlaneKernel : IShapeKernel
     /// The point relative to the plane's own point takes one more step along the ray, which removes what rounding t cost: it is accurate at any distance.
     /// It is then put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
     /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>

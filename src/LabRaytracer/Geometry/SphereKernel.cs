@@ -23,7 +23,7 @@ internal readonly struct SphereKernel : IShapeKernel
     /// (Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019).
     /// Decisions are right unless the ray passes the silhouette within a few ulp of the radius.
     /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -40,7 +40,7 @@ internal readonly struct SphereKernel : IShapeKernel
     /// The local point is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
     /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
     /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>

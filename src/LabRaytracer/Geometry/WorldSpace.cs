@@ -19,7 +19,7 @@ internal static class WorldSpace
     }
 
     /// <summary>Rays in object space; the direction keeps the ray parameter. The bits of <see cref="Transform.ObjectFromWorld(in Ray)"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static RayLanes<R> ToObject<R, P>(in P m, in RayLanes<R> ray)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => new(
@@ -31,7 +31,7 @@ internal static class WorldSpace
             Row(m, ObjectFromWorld + 8, ray.DirectionX, ray.DirectionY, ray.DirectionZ));
 
     /// <summary>Takes point, normals and slack to world space; what mappings see stays as it is.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static void FromObject<R, P>(in P m, ref SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -50,7 +50,7 @@ internal static class WorldSpace
     }
 
     /// <summary>The object-space slack and the rounding of the transform, through the absolute values of the matrix.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static R OutwardSlack<R, P>(in P m, in SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
@@ -66,7 +66,7 @@ internal static class WorldSpace
     }
 
     /// <summary>The rounding of a world-space point on its way to object space, along the normal there; an eighth of the margin is enough for one product.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static R ReturnSlack<R, P>(in P m, R x, R y, R z, in SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => R.Of(0.125) * Lane.Slack(Lane.Dot(
@@ -86,7 +86,7 @@ internal static class WorldSpace
         where P : struct, IParameters<R> => R.Fma(m[at], x, R.Fma(m[at + 1], y, m[at + 2] * z));
 
     /// <summary>Normals map with the inverse transpose, the columns of the matrix world to object. Returns 1 / (length before it is made 1).</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static R Normal<R, P>(in P m, ref R x, ref R y, ref R z)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
