@@ -22,7 +22,7 @@ internal sealed class FileFormat(string what) : Format<NamedFile>
             return reading.Mistake(node, why, Allowed);
         }
 
-        value = new NamedFile(path, node);
+        value = new NamedFile(path, Path.Combine(Path.GetDirectoryName(node.Location().File) ?? "", name), node);
         return true;
     }
 
@@ -31,5 +31,6 @@ internal sealed class FileFormat(string what) : Format<NamedFile>
 
 /// <summary>A file that a scene names.</summary>
 /// <param name="Path">The absolute path.</param>
+/// <param name="ShownPath">The path for messages: as the scene itself was named.</param>
 /// <param name="Node">Where the scene names it.</param>
-internal sealed record NamedFile(string Path, SceneNode Node);
+internal sealed record NamedFile(string Path, string ShownPath, SceneNode Node);

@@ -2,8 +2,9 @@ namespace LabRaytracer;
 
 /// <summary>The MTL files that an OBJ file names.</summary>
 /// <param name="obj">The OBJ file.</param>
+/// <param name="from">Its folder, absolute.</param>
 /// <param name="folder">The folder that files must not lie outside of.</param>
-internal sealed class MtlLibrary(SceneSource obj, SceneFolder folder)
+internal sealed class MtlLibrary(SceneSource obj, string from, SceneFolder folder)
 {
     private readonly Dictionary<string, Material> _materials = new(StringComparer.Ordinal);
     private readonly HashSet<string> _loaded = new(StringComparer.Ordinal);
@@ -21,7 +22,6 @@ internal sealed class MtlLibrary(SceneSource obj, SceneFolder folder)
     /// <param name="offset">Where the line is.</param>
     public void Load(string names, int offset)
     {
-        string from = Path.GetDirectoryName(Path.GetFullPath(obj.File)) ?? "";
         string[] all = folder.Find(Portable(names), from, out _) is null ? [names] : names.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (all.Length == 0)
         {

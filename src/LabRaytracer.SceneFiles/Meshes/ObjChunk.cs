@@ -14,6 +14,9 @@ internal sealed class ObjChunk(SceneSource source, ObjData data, int start, int 
     private const int None = int.MinValue;
 
 
+    // Faces with four corners or more: first triangle of the fan, number of corners, place.
+    private readonly List<(int Triangle, int Corners, int Offset)> _polygons = [];
+
     // Indices from the end count from the elements so far.
     private int _positions = before.Positions, _uvs = before.Uvs, _normals = before.Normals, _triangles = before.Triangles;
 
@@ -23,8 +26,6 @@ internal sealed class ObjChunk(SceneSource source, ObjData data, int start, int 
     /// <summary>Lines mtllib.</summary>
     public List<(string Name, int Offset)> Libraries { get; } = [];
 
-    /// <summary>Faces with four corners or more: first triangle of the fan, number of corners.</summary>
-    public List<(int Triangle, int Corners)> Polygons { get; } = [];
 
     public List<SceneFileError> Mistakes { get; } = [];
 
@@ -63,6 +64,18 @@ internal sealed class ObjChunk(SceneSource source, ObjData data, int start, int 
                 case ObjWord.Unknown:
                     Mistake(first, $"unknown word {Wording.Quote(Encoding.UTF8.GetString(word))}", ObjWords.Allowed);
                     break;
+            }
+        }
+    }
+
+    /// <summary>Cuts faces with four corners or more into triangles; all positions must have been read, without mistakes.</summary>
+    public void SplitPolygons()
+    {
+        foreach ((int triangle, int corners, int offset) in _polygons)
+        {
+            if (!PolygonSplitter.TrySplit(data, triangle, corners))
+            {
+                Mistake(offset, $"a concave face with {corners} corners", $"concave faces with up to {PolygonSplitter.MostCorners} corners");
             }
         }
     }
@@ -119,7 +132,7 @@ internal sealed class ObjChunk(SceneSource source, ObjData data, int start, int 
 
         if (corners > 3)
         {
-            Polygons.Add((fan, corners));
+            _polygons.Add((fan, corners, first));
         }
         else if (corners < 3)
         {

@@ -15,26 +15,21 @@ public static class ObjFile
     {
         ArgumentException.ThrowIfNullOrEmpty(path);
         string folder = Path.GetDirectoryName(Path.GetFullPath(path)) ?? "";
-        return Load(path, new SceneFolder(folder, options ?? SceneLoadOptions.Default), useMaterials: true);
+        return Load(path, path, new SceneFolder(folder, options ?? SceneLoadOptions.Default), useMaterials: true);
     }
 
     /// <summary>Reads an OBJ file of a scene.</summary>
-    /// <param name="path">Path of the file, as messages shall name it.</param>
+    /// <param name="path">Path of the file.</param>
+    /// <param name="shownPath">Path of the file in messages.</param>
     /// <param name="folder">The folder that files must not lie outside of.</param>
     /// <param name="useMaterials">Whether MTL files are read.</param>
     /// <exception cref="SceneFileException">A file cannot be read, or has mistakes.</exception>
-    internal static ObjScene Load(string path, SceneFolder folder, bool useMaterials)
+    internal static ObjScene Load(string path, string shownPath, SceneFolder folder, bool useMaterials)
     {
-        SceneSource source = new(path, TextFiles.Read(path, folder.Options.MaxMeshBytes, "mesh"));
+        SceneSource source = new(shownPath, TextFiles.Read(path, folder.Options.MaxMeshBytes, "mesh"));
         ObjReader lines = ObjReader.Read(source);
-        return Make(useMaterials ? lines : lines with { Libraries = [] }, source, folder);
-    }
-
-    /// <summary>The meshes and materials of lines that were read.</summary>
-    internal static ObjScene Make(ObjReader lines, SceneSource source, SceneFolder folder)
-    {
-        MtlLibrary library = new(source, folder);
-        foreach ((string name, int offset) in lines.Libraries)
+        MtlLibrary library = new(source, Path.GetDirectoryName(Path.GetFullPath(path)) ?? "", folder);
+        foreach ((string name, int offset) in useMaterials ? lines.Libraries : [])
         {
             library.Load(name, offset);
         }

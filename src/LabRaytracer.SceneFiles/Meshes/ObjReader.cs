@@ -26,19 +26,24 @@ internal sealed record ObjReader(ObjData Data, IReadOnlyList<(int Triangle, stri
         ObjData data = new(before[count]);
         ObjChunk[] chunks = [.. Enumerable.Range(0, count).Select(i => new ObjChunk(source, data, starts[i], starts[i + 1], before[i]))];
         Parallel.ForEach(chunks, chunk => chunk.Read());
-        List<SceneFileError> mistakes = [.. chunks.SelectMany(chunk => chunk.Mistakes)];
-        if (mistakes.Count == 0 && data.Counts.Triangles == 0)
+        ThrowIfMistaken(chunks);
+        if (data.Counts.Triangles == 0)
         {
-            mistakes.Add(new SceneFileError(source.Locate(source.TextStart), "the file has no faces", "at least one line f"));
+            throw new SceneFileException(new SceneFileError(source.Locate(source.TextStart), "the file has no faces", "at least one line f"));
         }
 
+        Parallel.ForEach(chunks, chunk => chunk.SplitPolygons());
+        ThrowIfMistaken(chunks);
+        return new ObjReader(data, [.. chunks.SelectMany(chunk => chunk.Materials)], [.. chunks.SelectMany(chunk => chunk.Libraries)]);
+    }
+
+    private static void ThrowIfMistaken(ObjChunk[] chunks)
+    {
+        List<SceneFileError> mistakes = [.. chunks.SelectMany(chunk => chunk.Mistakes)];
         if (mistakes.Count > 0)
         {
             throw new SceneFileException(mistakes);
         }
-
-        Parallel.ForEach(chunks, chunk => chunk.Polygons.ForEach(polygon => PolygonSplitter.Split(data, polygon.Triangle, polygon.Corners)));
-        return new ObjReader(data, [.. chunks.SelectMany(chunk => chunk.Materials)], [.. chunks.SelectMany(chunk => chunk.Libraries)]);
     }
 
     // A chunk starts after a line end that no backslash continues.

@@ -3,18 +3,30 @@ namespace LabRaytracer;
 /// <summary>Cuts faces with more than three corners into triangles.</summary>
 internal static class PolygonSplitter
 {
+    /// <summary>Most corners of a polygon that is no fan: the time to cut one grows with the square of them, or faster.</summary>
+    public const int MostCorners = 2048;
+
     /// <summary>Replaces the fan that stands for a polygon by triangles that lie inside it, also where it is concave.</summary>
-    /// <remarks>Ear clipping (Meisters 1975) on the plane of the polygon's area vector; convex polygons stay fans. Time grows with the square of the corners.</remarks>
+    /// <remarks>
+    /// Where all triangles of the fan go round the same way as the polygon, they cover it already (of a polygon that does not cross itself).
+    /// Else ear clipping (Meisters 1975) on the plane of the polygon's area vector.
+    /// </remarks>
     /// <param name="data">The numbers; the polygon's triangles are (c0, c1, c2), (c0, c2, c3), ...</param>
     /// <param name="triangle">First triangle of the fan.</param>
     /// <param name="corners">Number of corners, at least 4.</param>
-    public static void Split(ObjData data, int triangle, int corners)
+    /// <returns>False if the polygon has too many corners to be cut.</returns>
+    public static bool TrySplit(ObjData data, int triangle, int corners)
     {
         ObjCorner[] all = Corners(data, triangle, corners);
-        Span<(double X, double Y)> flat = corners <= 64 ? stackalloc (double X, double Y)[corners] : new (double X, double Y)[corners];
-        if (!Flatten(data, all, flat) || IsConvex(flat))
+        (double X, double Y)[] flat = new (double X, double Y)[corners];
+        if (!Flatten(data, all, flat) || IsFan(flat))
         {
-            return;
+            return true;
+        }
+
+        if (corners > MostCorners)
+        {
+            return false;
         }
 
         List<int> left = [.. Enumerable.Range(0, corners)];
@@ -28,6 +40,7 @@ internal static class PolygonSplitter
         }
 
         Set(data, at, all, left, 1);
+        return true;
     }
 
     private static ObjCorner[] Corners(ObjData data, int triangle, int corners)
@@ -70,16 +83,15 @@ internal static class PolygonSplitter
         return area.IsFinite && area != Vector3D.Zero;
     }
 
-    private static bool IsConvex(ReadOnlySpan<(double X, double Y)> flat)
+    private static bool IsFan(ReadOnlySpan<(double X, double Y)> flat)
     {
-        // All corners turn left: with a positive area and up to 4 corners this is convex; a star of more could wind twice, so those are clipped.
-        bool turns = flat.Length == 4;
-        for (int i = 0; turns && i < flat.Length; i++)
+        bool fan = true;
+        for (int i = 1; fan && i + 1 < flat.Length; i++)
         {
-            turns = Turn(flat[i], flat[(i + 1) % flat.Length], flat[(i + 2) % flat.Length]) >= 0;
+            fan = Turn(flat[0], flat[i], flat[i + 1]) > 0;
         }
 
-        return turns;
+        return fan;
     }
 
     /// <summary>The corner that can be cut off: convex, and no other corner inside. If rounding leaves none, the one that turns left most.</summary>

@@ -18,11 +18,13 @@ internal static class Colors
 
     /// <summary>Linear components.</summary>
     public static Format<Intensity> Linear { get; } = new NumbersFormat<Intensity>(
-        3, Words, n => new Intensity((float)n[0], (float)n[1], (float)n[2]), color => [color.R, color.G, color.B]) { Item = Component };
+        3, Words, n => new Intensity((float)n[0], (float)n[1], (float)n[2]), color => [color.R, color.G, color.B])
+    { Item = Component };
 
     /// <summary>Any of the three.</summary>
     public static Format<Intensity> Any { get; } = new EitherFormat<Intensity>(
-        Words, (NodeKind.Number, Grey), (NodeKind.Array, Linear), (NodeKind.Text, new HexFormat())) { Name = "color" };
+        Words, (NodeKind.Number, Grey), (NodeKind.Array, Linear), (NodeKind.Text, new HexFormat()))
+    { Name = "color" };
 
     /// <summary>Reads "#rrggbb".</summary>
     public static bool TryHex(string text, out Intensity color)

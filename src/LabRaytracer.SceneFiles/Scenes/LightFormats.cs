@@ -23,7 +23,8 @@ internal static class LightFormats
             3,
             "three numbers [constant, linear, quadratic] of at least 0, not all 0",
             n => n.All(factor => factor == 0) ? null : new Fading(n[0], n[1], n[2]),
-            fading => [fading.Constant, fading.Linear, fading.Quadratic]) { Item = NumberFormat.NotNegative },
+            fading => [fading.Constant, fading.Linear, fading.Quadratic])
+        { Item = NumberFormat.NotNegative },
         new Fading(1, 0, 0),
         "Fading with distance d: 1 / (constant + linear d + quadratic d^2).");
 

@@ -43,7 +43,8 @@ internal static class MaterialFormats
     public static EitherFormat<Material> Any { get; } = new(
         "the name of a material, or a material { \"diffuse\": ... }",
         (NodeKind.Text, new NameFormat<Material>("material", "materials", reading => reading.Materials)),
-        (NodeKind.Object, s_inline)) { Name = "materialReference" };
+        (NodeKind.Object, s_inline))
+    { Name = "materialReference" };
 
     private static Material Build(Fields fields) => new()
     {

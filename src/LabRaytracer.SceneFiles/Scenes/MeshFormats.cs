@@ -13,7 +13,7 @@ internal static class MeshFormats
     public static ObjScene? Load(Fields fields, bool useMaterials)
     {
         SceneReading reading = fields.Reading;
-        string path = fields.Get(File).Path;
+        (string path, string shownPath, _) = fields.Get(File);
         if (reading.Folder.Loaded.TryGetValue((path, useMaterials), out ObjScene? known))
         {
             return known;
@@ -21,7 +21,7 @@ internal static class MeshFormats
 
         try
         {
-            known = ObjFile.Load(path, reading.Folder, useMaterials);
+            known = ObjFile.Load(path, shownPath, reading.Folder, useMaterials);
             reading.SourceMap.Add(known.SourceMap);
         }
         catch (SceneFileException failure)

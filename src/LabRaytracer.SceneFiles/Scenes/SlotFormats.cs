@@ -69,7 +69,8 @@ internal static class SlotFormats
         (NodeKind.Array, new MappedFormat<Intensity, TextureSlot>(Colors.Linear, color => color, slot => slot.Value)),
         (NodeKind.Number, new MappedFormat<Intensity, TextureSlot>(Colors.Grey, grey => grey)),
         (NodeKind.Text, new TextSlotFormat()),
-        (NodeKind.Object, s_colorSlot)) { Name = "coefficient" };
+        (NodeKind.Object, s_colorSlot))
+    { Name = "coefficient" };
 
     /// <summary>A number coefficient.</summary>
     /// <param name="name">Name in the schema.</param>

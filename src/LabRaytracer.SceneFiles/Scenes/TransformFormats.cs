@@ -32,7 +32,8 @@ internal static class TransformFormats
         (NodeKind.Object, s_step),
         (NodeKind.Array, new MappedFormat<IReadOnlyList<Transform>, Transform>(
             new ListFormat<Transform>(s_step, "transform steps"),
-            steps => steps.Aggregate(Transform.Identity, (all, next) => all.Then(next))))) { Name = "transform" };
+            steps => steps.Aggregate(Transform.Identity, (all, next) => all.Then(next)))))
+    { Name = "transform" };
 
     private static Transform? Step(Fields fields)
     {

@@ -70,6 +70,18 @@ public sealed class ObjFileTests
         Assert.Equal(area, all.Length, 12);
     }
 
+    [Fact]
+    public void Read_FaceWithManyCorners_IsCutOrRefusedSoon()
+    {
+        // A convex face is a fan however many corners it has; a comb of 1200 teeth is more than can be cut in reasonable time.
+        string circle = string.Concat(Enumerable.Range(0, 3000).Select(i => FormattableString.Invariant($"v {Math.Cos(i / 480.0)} {Math.Sin(i / 480.0)} 0\n")));
+        string comb = string.Concat(Enumerable.Range(0, 2400).Select(i => $"v {i} {(i % 2 == 0 ? 1 : 2)} 0\n")) + "v 2400 0 0\nv 0 0 0\n";
+        Assert.Equal(2998, Read(circle + "f " + string.Join(' ', Enumerable.Range(1, 3000))).Data.Counts.Triangles);
+        Assert.Equal(
+            "m.obj:2403:1: a concave face with 2402 corners; allowed: concave faces with up to 2048 corners",
+            Assert.Throws<SceneFileException>(() => Read(comb + "f " + string.Join(' ', Enumerable.Range(1, 2402)))).Message);
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(7)]
@@ -201,6 +213,7 @@ public sealed class ObjFileTests
         string path = folder.Write("s.json", """{ "render": { "width": 0 }, "objects": [ { "shape": "mesh", "file": "a.obj" }, { "shape": "mesh", "file": "a.obj" } ] }""");
         SceneFileException failure = Assert.Throws<SceneFileException>(() => SceneFile.Load(path));
         Assert.Equal([("s.json", 1), ("a.obj", 2), ("a.obj", 2)], failure.Errors.Select(error => (Path.GetFileName(error.File), error.Line)));
+        Assert.Equal(Path.Combine(folder.Path, "a.obj"), failure.Errors[1].File);
     }
 
     [Fact]
