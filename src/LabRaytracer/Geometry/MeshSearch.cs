@@ -10,6 +10,11 @@ internal static unsafe class MeshSearch
         where I : unmanaged, IIndexLane<I>
         where TSink : struct, IMeshSink<R>
     {
+        if (!R.Any(R.Less(R.Zero, limit)))
+        {
+            return;
+        }
+
         if (mesh.Positions.Singles != null)
         {
             Run<R, F, I, MeshSinglePositions, TSink>(new MeshSinglePositions(mesh.Positions.Singles), tree, ray, limit, ref sink);

@@ -26,6 +26,25 @@ public class MeshWatertightTests
     }
 
     [Theory]
+    [InlineData(1e-8, 0)]
+    [InlineData(1e8, 0)]
+    [InlineData(1, 1e6)]
+    public void Nearest_OtherScalesAndPlaces_NeverEscapes(double scale, double offset)
+    {
+        MeshSamples.BumpyBall(3, 15, out Point3D[] vertices, out int[] corners);
+        Vector3D place = new(offset, -offset, 0.5 * offset);
+        Point3D[] moved = [.. vertices.Select(vertex => Point3D.Origin + (vertex.ToVector() * scale) + place)];
+        Ray[] rays = [.. AimedRays(vertices, corners, Vector3D.Zero)
+            .Select(ray => new Ray(Point3D.Origin + (ray.Origin.ToVector() * scale) + place, ray.Direction))];
+        TriangleMesh mesh = new(moved, corners);
+        Assert.All(MeshHits<Double16, Float16, Int16>.ByTree(mesh, rays), hit => Assert.True(hit.T > 0));
+        if (offset == 0)
+        {
+            Assert.All(MeshHits<Float16, Float16, Int16>.ByTree(mesh, rays), hit => Assert.True(hit.T > 0));
+        }
+    }
+
+    [Theory]
     [InlineData(1e-6)]
     [InlineData(1e-9)]
     [InlineData(1e-12)]
