@@ -65,21 +65,19 @@ internal sealed class ObjectFormat<T>(string name, string description, IReadOnly
     // In the order of the declaration, not of the file: names are known before they are used.
     private bool ReadKeys(SceneNode node, SceneReading reading, Fields fields)
     {
-        List<(string Name, SceneNode Content)> members = new(node.Count);
+        List<(SceneNode Key, SceneNode Content)> members = [.. node.Members()];
         bool good = true;
-        foreach ((SceneNode at, SceneNode content) in node.Members())
+        foreach ((SceneNode at, _) in members)
         {
-            string text = at.Text();
-            members.Add((text, content));
-            if (text != tag?.Key && !keys.Any(known => known.Name == text))
+            if (!IsKnown(at))
             {
-                good = reading.Mistake(at, $"unknown key{Wording.Suggestion(text, Names)}", Wording.List(Names));
+                good = reading.Mistake(at, $"unknown key{Wording.Suggestion(at.Text(), Names)}", Wording.List(Names));
             }
         }
 
         foreach (Key key in keys)
         {
-            int index = members.FindIndex(member => member.Name == key.Name);
+            int index = IndexOf(members, key);
             if (index < 0)
             {
                 good &= !key.IsRequired || reading.Mistake(node, $"the key '{key.Name}' is missing", key.Allowed);
@@ -95,6 +93,28 @@ internal sealed class ObjectFormat<T>(string name, string description, IReadOnly
         }
 
         return good;
+    }
+
+    private bool IsKnown(SceneNode name)
+    {
+        bool known = tag is { } kind && name.TextIs(kind.Key);
+        for (int i = 0; !known && i < keys.Count; i++)
+        {
+            known = name.TextIs(keys[i].Name);
+        }
+
+        return known;
+    }
+
+    private static int IndexOf(List<(SceneNode Key, SceneNode Content)> members, Key key)
+    {
+        int index = members.Count - 1;
+        while (index >= 0 && !members[index].Key.TextIs(key.Name))
+        {
+            index--;
+        }
+
+        return index;
     }
 
     // What formats do not check, constructors of the library do.

@@ -21,7 +21,7 @@ internal sealed class VariantFormat<T>(string key, string description, IReadOnly
 
         foreach ((SceneNode at, SceneNode content) in node.Members())
         {
-            if (at.Text() == key)
+            if (at.TextIs(key))
             {
                 return TryReadVariant(node, content, reading, out value);
             }
@@ -46,10 +46,15 @@ internal sealed class VariantFormat<T>(string key, string description, IReadOnly
             return reading.WrongValue(tag, Wording.List(Names));
         }
 
+        foreach (ObjectFormat<T> variant in variants)
+        {
+            if (tag.TextIs(variant.Tag!.Value.Value))
+            {
+                return variant.TryRead(node, reading, out value);
+            }
+        }
+
         string text = tag.Text();
-        ObjectFormat<T>? variant = variants.FirstOrDefault(known => known.Tag!.Value.Value == text);
-        return variant is null
-            ? reading.Mistake(tag, $"unknown {key} {Wording.Quote(text)}{Wording.Suggestion(text, Names)}", Wording.List(Names))
-            : variant.TryRead(node, reading, out value);
+        return reading.Mistake(tag, $"unknown {key} {Wording.Quote(text)}{Wording.Suggestion(text, Names)}", Wording.List(Names));
     }
 }

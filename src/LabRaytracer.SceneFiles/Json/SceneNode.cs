@@ -67,6 +67,27 @@ internal readonly struct SceneNode
         return reader.GetString()!;
     }
 
+    /// <summary>Tells whether the text is the same as another, without making a string where it has no escapes.</summary>
+    public bool TextIs(string other)
+    {
+        ReadOnlySpan<byte> raw = Raw;
+        return raw.Contains((byte)'\\') ? Text() == other : raw.Length == other.Length + 2 && Ascii.Equals(raw[1..^1], other);
+    }
+
+    /// <summary>A number in [0, 63] that is the same for the same text.</summary>
+    public int QuickHash()
+    {
+        ReadOnlySpan<byte> raw = Raw;
+        ReadOnlySpan<byte> text = raw.Contains((byte)'\\') ? Encoding.UTF8.GetBytes(Text()) : raw[1..^1];
+        int hash = 0;
+        foreach (byte b in text)
+        {
+            hash = (hash * 31) + b;
+        }
+
+        return hash & 63;
+    }
+
     /// <summary>A number as it stands in the file.</summary>
     public string NumberText() => Encoding.ASCII.GetString(Raw);
 

@@ -31,40 +31,62 @@ internal static class SceneTreeReader
     private static SceneTree ReadAll(SceneSource source, ref Utf8JsonReader reader)
     {
         List<SceneTree.Entry> entries = [];
-        Stack<(int Index, int Count, HashSet<string>? Keys)> open = new();
         List<SceneFileError> duplicates = [];
+        SceneTree tree = new(source, entries, duplicates);
+        Stack<(int Index, int Count)> open = new();
         while (reader.Read())
         {
             int offset = source.TextStart + (int)reader.TokenStartIndex;
             if (reader.TokenType is JsonTokenType.EndObject or JsonTokenType.EndArray)
             {
-                (int index, int count, _) = open.Pop();
+                (int index, int count) = open.Pop();
                 entries[index] = entries[index] with { Length = count, Next = entries.Count };
+                FindDuplicates(new SceneNode(tree, index), duplicates);
                 continue;
             }
 
             CheckToken(source, ref reader, offset);
             if (open.Count > 0 && (reader.TokenType == JsonTokenType.PropertyName || entries[open.Peek().Index].Kind == NodeKind.Array))
             {
-                (int index, int count, HashSet<string>? keys) = open.Pop();
-                if (keys is not null && !keys.Add(reader.GetString()!))
-                {
-                    string key = Wording.Quote(reader.GetString()!);
-                    duplicates.Add(new SceneFileError(source.Locate(offset), $"the key {key} is given twice in one object", "each key once"));
-                }
-
-                open.Push((index, count + 1, keys));
+                (int index, int count) = open.Pop();
+                open.Push((index, count + 1));
             }
 
             int length = reader.TokenType is JsonTokenType.PropertyName or JsonTokenType.String ? reader.ValueSpan.Length + 2 : reader.ValueSpan.Length;
             entries.Add(new SceneTree.Entry(offset, length, entries.Count + 1, KindOf(reader.TokenType)));
             if (reader.TokenType is JsonTokenType.StartObject or JsonTokenType.StartArray)
             {
-                open.Push((entries.Count - 1, 0, reader.TokenType == JsonTokenType.StartObject ? new HashSet<string>(StringComparer.Ordinal) : null));
+                open.Push((entries.Count - 1, 0));
             }
         }
 
-        return new SceneTree(source, entries, duplicates);
+        return tree;
+    }
+
+    private static void FindDuplicates(SceneNode node, List<SceneFileError> duplicates)
+    {
+        if (node.Kind != NodeKind.Object || node.Count < 2)
+        {
+            return;
+        }
+
+        // The keys of most objects differ in length or first letter; a set of strings is made only of those that do not.
+        HashSet<string>? keys = null;
+        ulong seen = 0;
+        foreach ((SceneNode key, _) in node.Members())
+        {
+            ulong bit = 1UL << key.QuickHash();
+            if ((seen & bit) != 0 && keys is null)
+            {
+                keys = new HashSet<string>(node.Members().TakeWhile(member => member.Key.Index < key.Index).Select(member => member.Key.Text()), StringComparer.Ordinal);
+            }
+
+            seen |= bit;
+            if (keys is not null && !keys.Add(key.Text()))
+            {
+                duplicates.Add(new SceneFileError(key.Location(), $"the key {Wording.Quote(key.Text())} is given twice in one object", "each key once"));
+            }
+        }
     }
 
     private static NodeKind KindOf(JsonTokenType token) => token switch

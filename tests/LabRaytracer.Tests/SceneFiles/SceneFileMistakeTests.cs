@@ -19,6 +19,7 @@ public sealed class SceneFileMistakeTests
     [InlineData("""{"render": {"precision": "duoble"}}""", "1:26: render.precision: unknown word 'duoble', did you mean 'double'; allowed: double, single")]
     [InlineData("""{"render": null}""", "1:12: render: null does not fit; allowed: an object { height, maxDepth, pattern, precision, samples, seed, width }")]
     [InlineData("""{"render": {"width": 9, "width": 8}}""", "1:25: the key 'width' is given twice in one object; allowed: each key once")]
+    [InlineData("""{"render": {"width": 9, "wid\u0074h": 8}}""", "1:25: the key 'width' is given twice in one object; allowed: each key once")]
     [InlineData("""{"output": {"bitDepth": 9}}""", "1:25: output.bitDepth: 9 bits cannot be written; allowed: 8, 16")]
     [InlineData("""{"output": {"file": "../x.png"}}""", "1:21: output.file: '../x.png' is not a plain file name; allowed: a name without folders, such as earth.png")]
     [InlineData("""{"camera": {"eye": [0, 0, 1]}}""", "1:12: camera: the key 'type' is missing; allowed: perspective, orthographic, spherical")]
