@@ -106,15 +106,18 @@ internal sealed class ObjectFormat<T>(string name, string description, IReadOnly
         return known;
     }
 
+    /// <summary>The first member with a key; -1 if there is none.</summary>
     private static int IndexOf(List<(SceneNode Key, SceneNode Content)> members, Key key)
     {
-        int index = members.Count - 1;
-        while (index >= 0 && !members[index].Key.TextIs(key.Name))
+        for (int i = 0; i < members.Count; i++)
         {
-            index--;
+            if (members[i].Key.TextIs(key.Name))
+            {
+                return i;
+            }
         }
 
-        return index;
+        return -1;
     }
 
     // What formats do not check, constructors of the library do.
