@@ -12,7 +12,7 @@ internal sealed unsafe class MeshTree
     /// <param name="threads">Threads that may work on it, at least 1.</param>
     public MeshTree(MeshData mesh, int[]? kept, int threads)
     {
-        Boxes = Bvh.Build(new Items(mesh, kept), new BvhCost(ItemCost: 1, MaximumLeaf: 4), threads, out int[] order);
+        Boxes = Bvh.Build(new Items(mesh, kept), new BvhCost(ItemCost: 0.7f, MaximumLeaf: 4), threads, out int[] order);
         Triangles = _memory.Column<MeshTriangle>(Boxes.ItemCount, 1);
         for (int i = 0; i < Boxes.ItemCount; i++)
         {
