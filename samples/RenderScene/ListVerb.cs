@@ -28,7 +28,7 @@ internal static class ListVerb
         {
             if (!path.EndsWith(".schema.json", StringComparison.Ordinal))
             {
-                writer.WriteLine($"  {path,-34} {SceneDescription.Read(path)}");
+                writer.WriteLine($"  {path,-38} {SceneDescription.Read(path)}");
             }
         }
     }
@@ -54,7 +54,7 @@ internal static class ListVerb
             writer.WriteLine($"{kind}:");
             foreach ((string word, string description) in words)
             {
-                writer.WriteLine($"  {word,-34} {description}");
+                writer.WriteLine($"  {word,-38} {description}");
             }
         }
 

@@ -36,7 +36,7 @@ internal static class SkyPicture
         float cloud = Math.Clamp((LatticeNoise.Fractal(u, v, 10, 24, 55) - 0.53f) * 6, 0, 1) * Math.Clamp(height * 6, 0, 1) * Math.Clamp((0.8f - height) * 3, 0, 1);
         Intensity clouded = Intensity.Lerp(clear, new Intensity(0.95f, 0.86f, 0.8f), 0.75f * cloud);
         float du = (u - SunU) * 2, dv = v - SunV, distance = (du * du) + (dv * dv);
-        float glow = 0.0016f / (distance + 0.0016f);
+        float glow = 0.0006f / (distance + 0.0006f);
         return clouded + (new Intensity(1, 0.8f, 0.5f) * (distance < 0.0004f ? 2 : glow));
     }
 }
