@@ -27,6 +27,10 @@ internal sealed class CompiledMaterial
             : Compile(material.IndexOfRefraction, defaultMapping, textures);
         Emission = Slot(material.Emission);
         Needs = FindNeeds();
+        ConstantSlots = new[]
+        {
+            Diffuse.Lookup, Ambient.Lookup, Specular.Lookup, Shininess.Lookup, Reflection.Lookup, Transparency.Lookup, IndexOfRefraction.Lookup, Emission.Lookup,
+        }.Count(lookup => lookup < 0);
     }
 
     /// <summary>The material.</summary>
@@ -67,6 +71,9 @@ internal sealed class CompiledMaterial
 
     /// <summary>Columns of surface points that mappings and 3D textures read.</summary>
     public SurfaceNeeds Needs { get; }
+
+    /// <summary>Number of slots that are the same everywhere.</summary>
+    public int ConstantSlots { get; }
 
     /// <summary>Tells whether lamps matter.</summary>
     public bool IsLit => !Diffuse.IsBlack || !Specular.IsBlack || Material.Shader is not IWideShader;

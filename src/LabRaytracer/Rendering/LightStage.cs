@@ -181,7 +181,13 @@ internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, S
                 new Vector3D(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i)),
                 new Vector3D(R.Take(buffers.Light.DirectionX, i), R.Take(buffers.Light.DirectionY, i), R.Take(buffers.Light.DirectionZ, i)),
                 new Vector3D(-R.Take(buffers.DirectionX, i), -R.Take(buffers.DirectionY, i), -R.Take(buffers.DirectionZ, i)));
-            buffers.Radiance.Put(i, buffers.Radiance.Take(i) + (share * buffers.Light.Intensity.Take(i)));
+
+            // Rounded once, as in the wide path: the same bits.
+            Intensity light = buffers.Light.Intensity.Take(i), sum = buffers.Radiance.Take(i);
+            buffers.Radiance.Put(i, new Intensity(
+                MathF.FusedMultiplyAdd(share.R, light.R, sum.R),
+                MathF.FusedMultiplyAdd(share.G, light.G, sum.G),
+                MathF.FusedMultiplyAdd(share.B, light.B, sum.B)));
         }
     }
 

@@ -46,7 +46,7 @@ public static class Renderer
         PixelRectangle area = Area(options);
         cancellation.ThrowIfCancellationRequested();
         long start = Stopwatch.GetTimestamp();
-        using CompiledScene<R, F, I> compiled = new(scene, options);
+        using CompiledScene<R, F, I> compiled = new(scene, options.Filter, options.Threads);
         RenderStatistics statistics = new()
         {
             PrepareSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds,

@@ -9,6 +9,7 @@ internal static unsafe class TextureStage
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
+        counters.ConstantSlots += (long)count * material.ConstantSlots;
         if (material.Lookups.Count == 0)
         {
             return;
@@ -35,10 +36,31 @@ internal static unsafe class TextureStage
             }
 
             lookup.Sampler.Sample<R, F, I>(lookups, buffers.Texels[k], packets);
+            if (lookup.Coordinates >= 0 && material.Coordinates[lookup.Coordinates].Mapping is not IWideMapping)
+            {
+                MarkLost(lookups.Coordinates, buffers.Texels[k], count);
+            }
         }
 
         counters.TextureLookups += (long)count * material.Lookups.Count;
         counters.Charge(RenderStage.Texture);
+    }
+
+    /// <summary>
+    /// Makes the colour NaN where a student's mapping gave coordinates that are not finite: wrapping would hide them, this way the pixel is counted and found.
+    /// Built-in mappings are finite for every finite point.
+    /// </summary>
+    private static void MarkLost<R, F>(in CoordinateBatch<R> coordinates, in ColorColumns<F> colors, int count)
+        where R : unmanaged, IReal<R>
+        where F : unmanaged, IReal<F>
+    {
+        for (int i = 0; i < count; i++)
+        {
+            if (!double.IsFinite(Lane.Take(coordinates.U, i)) || !double.IsFinite(Lane.Take(coordinates.V, i)))
+            {
+                colors.Put(i, Intensity.Grey(float.NaN));
+            }
+        }
     }
 
     private static void Map<R>(in CompiledCoordinates set, in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int count, int packets)

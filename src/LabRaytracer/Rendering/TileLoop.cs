@@ -38,11 +38,7 @@ internal sealed class TileLoop<R, F, I>(
         }
         catch (AggregateException failure)
         {
-            throw failure.Flatten().InnerExceptions[0] switch
-            {
-                OperationCanceledException cancelled => cancelled,
-                Exception cause => new RenderException($"Rendering failed: {cause.Message}", cause),
-            };
+            throw failure.Flatten().InnerExceptions[0];
         }
     }
 
@@ -64,7 +60,16 @@ internal sealed class TileLoop<R, F, I>(
 
     private void Render(TileWorker<R, F, I> worker, int tile, Picture picture)
     {
-        worker.Render(area.X + ((tile % _columns) * TileWorker<R, F, I>.Side), area.Y + ((tile / _columns) * TileWorker<R, F, I>.Side), picture);
+        int x = area.X + ((tile % _columns) * TileWorker<R, F, I>.Side), y = area.Y + ((tile / _columns) * TileWorker<R, F, I>.Side);
+        try
+        {
+            worker.Render(x, y, picture);
+        }
+        catch (Exception cause)
+        {
+            throw new RenderException($"Rendering failed in the tile whose top-left pixel is ({x}, {y}): {cause.Message}", cause);
+        }
+
         progress?.Report((double)Interlocked.Increment(ref _finished) / (_columns * _rows));
     }
 }

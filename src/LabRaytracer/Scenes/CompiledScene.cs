@@ -19,12 +19,13 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
 
     /// <summary>Freezes a scene.</summary>
     /// <param name="scene">The scene; it must not be edited while this object is in use.</param>
-    /// <param name="options">How it is rendered.</param>
-    public CompiledScene(Scene scene, RenderOptions options)
+    /// <param name="filter">Filter of all picture textures, or null for their own.</param>
+    /// <param name="threads">Threads for preparing, at least 1.</param>
+    public CompiledScene(Scene scene, TextureFilter? filter, int threads)
     {
         Camera = scene.Camera;
-        Textures = new TexturePreparation(options.Filter);
-        Textures.PrepareAll(SceneTextures.Used(scene), options.Threads);
+        Textures = new TexturePreparation(filter);
+        Textures.PrepareAll(SceneTextures.Used(scene), threads);
         Background = new CompiledMaterial(new Material { Emission = scene.Background, Diffuse = Intensity.Black, Shader = LambertShader.Default }, new SphericalMapping(), Textures);
         int count = scene.Objects.Count;
         _memberOfObject = _memory.Column<int>(Math.Max(1, count), 1);
@@ -32,13 +33,13 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
         List<ObjectEntry<R, F, I>> entries = Pack(scene);
         foreach (ShapeGroup<R, F, I> group in _groups)
         {
-            group.Freeze(_memory, options.Threads);
+            group.Freeze(_memory, threads);
         }
 
-        _all = Search(entries, options.Threads);
+        _all = Search(entries, threads);
         _casters = scene.Objects.All(item => item.CastsShadows)
             ? _all
-            : Search([.. entries.Where(entry => scene.Objects[entry.Number].CastsShadows)], options.Threads);
+            : Search([.. entries.Where(entry => scene.Objects[entry.Number].CastsShadows)], threads);
         Lights = [.. scene.Lights.Where(light => light is not AmbientLight)];
         foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
         {

@@ -50,7 +50,7 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
         else
         {
             first = I.Min(I.Max(texel, zero), last);
-            second = I.Min(texel + one, last);
+            second = I.Min(I.Max(texel + one, zero), last);
         }
 
         return Outside(coordinate);

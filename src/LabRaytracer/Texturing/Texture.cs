@@ -34,7 +34,11 @@ public sealed class Texture : IPreparedTexture
         _colorMap = colorMap;
     }
 
-    private Texture(Lazy<TexelStore> store) => _store = store;
+    private Texture(Lazy<TexelStore>? store, Intensity[,]? colorMap)
+    {
+        _store = store;
+        _colorMap = colorMap;
+    }
 
     /// <summary>Number of columns.</summary>
     /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
@@ -48,7 +52,7 @@ public sealed class Texture : IPreparedTexture
     /// Linear colours of the texels: <c>ColorMap[x, y]</c>, x to the right in [0, Width), y up in [0, Height): [0, 0] is the bottom-left texel,
     /// so that the sheet's y_p = (v_res - 1) v holds as written.
     /// </summary>
-    /// <remarks>The first read of a loaded texture builds the array; from then on the array is what is rendered.</remarks>
+    /// <remarks>The first read of a loaded texture builds the array; from its first edit on the array is what is rendered, in data slots too.</remarks>
     public Intensity[,] ColorMap => _colorMap ??= BuildColorMap(_store!.Value, DecodeTable(_store.Value, isData: false));
 
     /// <summary>How the texture is looked up. Default: bilinear between texel centres, wrap as the mapping suggests.</summary>
@@ -73,7 +77,7 @@ public sealed class Texture : IPreparedTexture
             throw new FileNotFoundException($"There is no picture file '{path}'.", path);
         }
 
-        return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits)))) { Path = path };
+        return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits))), null) { Path = path };
     }
 
     /// <summary>A texture of a picture. Row 0 of a picture is its top, row 0 of <see cref="ColorMap"/> the bottom: this is the only place that turns them over.</summary>
@@ -94,14 +98,12 @@ public sealed class Texture : IPreparedTexture
         return new Texture(colorMap);
     }
 
-    /// <summary>The same texels (shared, not copied), looked up in another way.</summary>
+    /// <summary>The same texels, looked up in another way: a file's texels and an array that is there already are shared, not copied.</summary>
     /// <param name="sampling">How.</param>
     public Texture With(SamplingOptions sampling)
     {
         ArgumentNullException.ThrowIfNull(sampling);
-        return _colorMap is not null
-            ? new Texture(_colorMap) { Sampling = sampling, Path = Path }
-            : new Texture(_store!) { Sampling = sampling, Path = Path };
+        return new Texture(_store, _colorMap) { Sampling = sampling, Path = Path };
     }
 
     /// <inheritdoc/>
@@ -123,7 +125,33 @@ public sealed class Texture : IPreparedTexture
     }
 
     TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) =>
-        PictureSamplers.Create(_colorMap is null ? _store!.Value : Pack(_colorMap), isData, Sampling, filter ?? Sampling.Filter);
+        PictureSamplers.Create(IsAsLoaded() ? _store!.Value : Pack(_colorMap!), isData, Sampling, filter ?? Sampling.Filter);
+
+    /// <summary>
+    /// Tells whether the file's texels are the truth: nobody read the array, or nobody changed it since. So a mere look at <see cref="ColorMap"/>
+    /// costs no memory in a render, and a data slot still gets the file's numbers.
+    /// </summary>
+    private bool IsAsLoaded()
+    {
+        if (_colorMap is null || _store is null)
+        {
+            return _colorMap is null;
+        }
+
+        ReadOnlySpan<float> table = DecodeTable(_store.Value, isData: false);
+        for (int x = 0; x < Width; x++)
+        {
+            for (int y = 0; y < Height; y++)
+            {
+                if (_colorMap[x, y] != _store.Value.Color(table, x, y))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
 
     /// <summary>Linear light of every code of a store in this texture's colour space.</summary>
     private ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData) => PictureSamplers.DecodeTable(store, isData, Sampling.ColorSpace);

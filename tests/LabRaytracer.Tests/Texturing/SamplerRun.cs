@@ -1,0 +1,63 @@
+namespace LabRaytracer.Tests.Texturing;
+
+/// <summary>Textures looked up the way the renderer does it.</summary>
+internal static unsafe class SamplerRun
+{
+    /// <summary>Nasty and ordinary coordinates: ends, just beside them, seams between texels, far away.</summary>
+    public static double[] Coordinates { get; } =
+    [
+        0, -0.0, 1, 0.5, 0.25, 1 / 3.0, 0.999999, Math.BitDecrement(1), Math.BitIncrement(1), Math.BitDecrement(0.5), double.Epsilon, -double.Epsilon, -1e-17,
+        -0.25, -1, -1.75, 2, 3.5, 17.3, 1e5 + 0.1, -1e5 - 0.1, 1e15, -1e15, 1e300, -1e300, 0.125, 0.0625, 0.8, 0.6, 0.1, 0.3, 0.7, 0.9,
+    ];
+
+    /// <summary>Lookups at all pairs of the coordinates, with a local point and normal made of them.</summary>
+    public static TextureLookup[] Lookups(TextureWrap wrapU, TextureWrap wrapV) =>
+        [.. from u in Coordinates from v in Coordinates select new TextureLookup(new TextureCoordinate(u, v), new Point3D(u, v, u - v), new Vector3D(0.6, v > 0 ? 0.8 : -0.8, 0), wrapU, wrapV)];
+
+    /// <summary>Colours of lookups that share their wraps, through the batch door.</summary>
+    public static Intensity[] Sample<R, F, I>(TextureSampler sampler, TextureLookup[] lookups)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        LaneColumn<R> Column(Func<TextureLookup, double> number) => new([.. lookups.Select(number)]);
+        using LaneColumn<R> u = Column(l => l.Coordinate.U), v = Column(l => l.Coordinate.V);
+        using LaneColumn<R> x = Column(l => l.LocalPoint.X), y = Column(l => l.LocalPoint.Y), z = Column(l => l.LocalPoint.Z);
+        using LaneColumn<R> nx = Column(l => l.LocalNormal.X), ny = Column(l => l.LocalNormal.Y), nz = Column(l => l.LocalNormal.Z);
+        using LaneColumn<F> red = new(lookups.Length), green = new(lookups.Length), blue = new(lookups.Length);
+        LookupBatch<R> batch = new()
+        {
+            Coordinates = new CoordinateBatch<R> { U = u.Lanes, V = v.Lanes },
+            Positions = new PositionBatch<R> { X = x.Lanes, Y = y.Lanes, Z = z.Lanes, NormalX = nx.Lanes, NormalY = ny.Lanes, NormalZ = nz.Lanes },
+            WrapU = lookups[0].WrapU,
+            WrapV = lookups[0].WrapV,
+            Count = lookups.Length,
+        };
+        sampler.Sample<R, F, I>(batch, new ColorColumns<F> { R = red.Lanes, G = green.Lanes, B = blue.Lanes }, u.Packets);
+        return [.. Enumerable.Range(0, lookups.Length).Select(i => new Intensity((float)red[i], (float)green[i], (float)blue[i]))];
+    }
+
+    /// <summary>Fails unless the batch door gives the bits of <see cref="ITexture.Sample"/> at every width.</summary>
+    public static void SameAsScalar(ITexture texture, TextureWrap wrapU, TextureWrap wrapV)
+    {
+        TextureSampler sampler = ((IPreparedTexture)texture).Prepare(isData: false, filter: null);
+        TextureLookup[] lookups = Lookups(wrapU, wrapV);
+        Intensity[] expected = [.. lookups.Select(lookup => texture.Sample(lookup))];
+        Same(expected, Sample<Double1, Float1, Int1>(sampler, lookups), lookups);
+        Same(expected, Sample<Double4, Float4, Int4>(sampler, lookups), lookups);
+        Same(expected, Sample<Double8, Float8, Int8>(sampler, lookups), lookups);
+        Same(expected, Sample<Double16, Float16, Int16>(sampler, lookups), lookups);
+        Intensity[] single = Sample<Float1, Float1, Int1>(sampler, lookups);
+        Same(single, Sample<Float4, Float4, Int4>(sampler, lookups), lookups);
+        Same(single, Sample<Float8, Float8, Int8>(sampler, lookups), lookups);
+        Same(single, Sample<Float16, Float16, Int16>(sampler, lookups), lookups);
+    }
+
+    private static void Same(Intensity[] expected, Intensity[] actual, TextureLookup[] lookups)
+    {
+        for (int i = 0; i < expected.Length; i++)
+        {
+            Assert.True(expected[i] == actual[i], $"At {lookups[i].Coordinate}: expected {expected[i]}, got {actual[i]}.");
+        }
+    }
+}
