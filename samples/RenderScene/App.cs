@@ -64,6 +64,7 @@ internal static class App
         {
             OperationCanceledException => (ExitCode.Cancelled, "cancelled; files that were there before are as they were"),
             UsageException => (ExitCode.Usage, failure.Message),
+            FileNotFoundException missing => (ExitCode.BadInput, $"there is no file '{missing.FileName}'; check its name and the folder you are in."),
             SceneFileException or PictureFormatException or InputException or IOException or UnauthorizedAccessException => (ExitCode.BadInput, failure.Message),
             OutOfMemoryException => (ExitCode.BadInput, "there is not enough memory; make the picture or the scene smaller"),
             _ => (ExitCode.BadInput, $"unexpected failure: {failure.Message}"),

@@ -45,7 +45,8 @@ internal static class FigureVerb
         (string title, Func<FigureTools, Picture> draw) = s_figures[number - 1];
         string name = string.Create(CultureInfo.InvariantCulture, $"figure {number}");
         Picture picture = ProgressDisplay.Run(console, name, progress => draw(new FigureTools(width, progress, stop)));
-        PictureOutput.Save(picture, path, PictureSaveOptions.Default, [new("Title", $"{name}: {title}"), new("Software", $"LabRaytracer {VersionVerb.Version}")]);
+        PictureSaveOptions options = PictureOutput.WithText(PictureSaveOptions.Default, new("Title", $"{name}: {title}"), new("Software", $"LabRaytracer {VersionVerb.Version}"));
+        PictureOutput.Save(picture, path, options, stop);
         console.Output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{path}: {name}, {title}; {clock.Elapsed.TotalSeconds:0.00} s"));
         return ExitCode.Done;
     }

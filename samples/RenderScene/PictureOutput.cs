@@ -37,12 +37,22 @@ internal static class PictureOutput
         }
     }
 
-    /// <summary>Writes a picture with texts inside it.</summary>
-    public static void Save(Picture picture, string path, PictureSaveOptions options, IReadOnlyList<KeyValuePair<string, string>> text) =>
-        picture.Save(path, new PictureSaveOptions
+    /// <summary>Writes a picture; stopped, it leaves the old file as it was.</summary>
+    public static void Save(Picture picture, string path, PictureSaveOptions options, CancellationToken stop)
+    {
+        stop.ThrowIfCancellationRequested();
+        AtomicFile.Write(path, file =>
         {
-            Encoding = options.Encoding, BitDepth = options.BitDepth, ToneMapping = options.ToneMapping, PngCompression = options.PngCompression, Text = text,
+            using StoppableStream stream = new(file, stop);
+            PictureCodecs.Default.FindWriter(path).Write(picture, stream, options);
         });
+    }
+
+    /// <summary>The same options with texts that go into the file.</summary>
+    public static PictureSaveOptions WithText(PictureSaveOptions options, params IReadOnlyList<KeyValuePair<string, string>> text) => new()
+    {
+        Encoding = options.Encoding, BitDepth = options.BitDepth, ToneMapping = options.ToneMapping, PngCompression = options.PngCompression, Text = text,
+    };
 
     /// <summary>What a picture says about its own making: enough to make it again.</summary>
     public static IReadOnlyList<KeyValuePair<string, string>> Text(string scene, RenderOptions options) =>

@@ -2,4 +2,4 @@ using RenderScene;
 
 using SignalStop stop = new();
 int code = App.Run(args, AppConsole.System(), stop.Token);
-return stop.ExitCode ?? code;
+return code == ExitCode.Cancelled ? stop.ExitCode ?? code : code;

@@ -52,7 +52,7 @@ internal sealed class RenderVerb
         string? statsFile = parsed.GetValue(_statsJson);
         PictureOutput.Check(output, statsFile);
         RenderResult result = SceneInput.Render(scene, Path.GetFileName(scenePath), options, console, stop);
-        PictureOutput.Save(result.Picture, output, scene.Output.Picture, PictureOutput.Text(scenePath, options));
+        PictureOutput.Save(result.Picture, output, PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(scenePath, options)), stop);
         StatisticsReport report = new(scenePath, output, options, result.Statistics) { LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds };
         if (statsFile is not null)
         {

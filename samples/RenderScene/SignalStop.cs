@@ -5,8 +5,9 @@ namespace RenderScene;
 /// <summary>Ctrl-C and SIGTERM as a cancellation token.</summary>
 internal sealed class SignalStop : IDisposable
 {
-    // What cannot be cancelled, such as the compression of a picture, gets this long; then the process ends as it is.
-    private static readonly TimeSpan s_grace = TimeSpan.FromMilliseconds(800);
+    // What cannot be cancelled, such as reading a huge mesh, gets this long; then the process ends as it is.
+    // The old picture is safe: the new one is written beside it and renamed when it is complete.
+    private static readonly TimeSpan s_grace = TimeSpan.FromMilliseconds(700);
 
     private readonly CancellationTokenSource _source = new();
     private readonly PosixSignalRegistration _interrupt;

@@ -19,7 +19,7 @@ internal static class WelcomeVerb
             LoadedScene scene = SceneInput.Load(path);
             PictureOutput.Check(output);
             RenderResult result = SceneInput.Render(scene, name, scene.RenderOptions, console, stop);
-            PictureOutput.Save(result.Picture, output, scene.Output.Picture, PictureOutput.Text(path, scene.RenderOptions));
+            PictureOutput.Save(result.Picture, output, PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(path, scene.RenderOptions)), stop);
             console.Output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {SceneDescription.Read(path)} ({clock.Elapsed.TotalSeconds:0.00} s)"));
         }
 

@@ -13,13 +13,13 @@ internal static class SkyPicture
     {
         float ridge = 0.5f + (0.075f * (LatticeNoise.Fractal(u, 0.5f, 8, 1, 71) - 0.35f));
         float hills = 0.49f + (0.05f * (LatticeNoise.Fractal(u, 0.5f, 16, 1, 83) - 0.4f));
-        if (v < hills)
-        {
-            return Ground(u, v, hills);
-        }
-
-        return v < ridge ? Intensity.Lerp(new Intensity(0.1f, 0.13f, 0.22f), new Intensity(0.3f, 0.26f, 0.3f), (v - 0.47f) * 8) : Sky(u, v);
+        Intensity mountains = Intensity.Lerp(new Intensity(0.1f, 0.13f, 0.22f), new Intensity(0.3f, 0.26f, 0.3f), (v - 0.47f) * 8);
+        Intensity far = Intensity.Lerp(Sky(u, v), mountains, Below(v, ridge));
+        return Intensity.Lerp(far, Ground(u, v, hills), Below(v, hills));
     }
+
+    /// <summary>1 below a height, 0 above it, over three texels in between: an edge that shows no steps when it is magnified.</summary>
+    private static float Below(float v, float height) => Math.Clamp(((height - v) * 340) + 0.5f, 0, 1);
 
     private static Intensity Ground(float u, float v, float top)
     {

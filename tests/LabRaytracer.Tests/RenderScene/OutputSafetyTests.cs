@@ -72,6 +72,21 @@ public sealed class OutputSafetyTests
     }
 
     [Fact]
+    public void Save_StoppedWhileWriting_KeepsTheOldPictureAndTidiesUp()
+    {
+        using TestFolder folder = new();
+        File.WriteAllBytes(folder["a.png"], s_old);
+        using CancellationTokenSource stop = new();
+        stop.Cancel();
+        Assert.Throws<OperationCanceledException>(() => PictureOutput.Save(new Picture(8, 8), folder["a.png"], PictureSaveOptions.Default, stop.Token));
+        using MemoryStream file = new();
+        using StoppableStream stream = new(file, stop.Token);
+        Assert.Throws<OperationCanceledException>(() => stream.Write([1], 0, 1));
+        Assert.Equal(s_old, File.ReadAllBytes(folder["a.png"]));
+        Assert.Equal(["a.png"], folder.Files);
+    }
+
+    [Fact]
     public void Render_CancelledHalfWay_StopsSoon()
     {
         using TestFolder folder = new();
