@@ -14,6 +14,9 @@ public sealed partial class SourceRuleTests
         ["src/LabRaytracer/Imaging/PictureDifference.cs"] = "decibels of a report",
     };
 
+    /// <summary>Files that are about unfinished code: this one, and the test that the exercises are still open.</summary>
+    private static readonly string[] s_speakOfHoles = ["SourceRuleTests.cs", "ExerciseTests.cs"];
+
     [Fact]
     public void VectorIntrinsics_AreInOneFolderOnly() => Assert.All(
         SourceTree.Files("src").Concat(SourceTree.Files("samples")).Where(file => SourceTree.Code(file).Contains("System.Runtime.Intrinsics", StringComparison.Ordinal)),
@@ -43,7 +46,7 @@ public sealed partial class SourceRuleTests
     [Fact]
     public void NothingIsLeftUndone() => Assert.Empty(
         new[] { "src", "samples/RenderScene", "tests" }.SelectMany(SourceTree.Files)
-            .Where(file => Undone().IsMatch(SourceTree.Read(file)) && !file.EndsWith("/SourceRuleTests.cs", StringComparison.Ordinal))
+            .Where(file => Undone().IsMatch(SourceTree.Read(file)) && !s_speakOfHoles.Contains(Path.GetFileName(file)))
             .Order(StringComparer.Ordinal));
 
     [Fact]
