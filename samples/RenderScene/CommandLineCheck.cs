@@ -12,6 +12,11 @@ internal static class CommandLineCheck
     public static void Check(ParseResult parsed)
     {
         Command command = parsed.CommandResult.Command;
+        if (parsed.Tokens.FirstOrDefault(token => token.Type == TokenType.Directive || token.Value.Trim().Length == 0) is { } odd)
+        {
+            throw Unexpected(odd.Value, command);
+        }
+
         CheckOptions(parsed, command);
         if (parsed.UnmatchedTokens.Count > 0)
         {

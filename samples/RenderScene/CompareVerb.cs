@@ -74,9 +74,13 @@ internal sealed class CompareVerb
 
     private static bool IsWorse(string metric, double value, double limit) => metric is "psnr" or "ssim" ? value < limit : value > limit;
 
+    private static Picture Load(string path) => Directory.Exists(path)
+        ? throw new InputException($"'{path}' is a folder; name a picture in it.")
+        : Picture.Load(path);
+
     private static PictureDifference Compare(string first, string second)
     {
-        Picture a = Picture.Load(first), b = Picture.Load(second);
+        Picture a = Load(first), b = Load(second);
         return a.Width == b.Width && a.Height == b.Height
             ? PictureDifference.Compare(a, b)
             : throw new InputException($"'{first}' is {a.Width} x {a.Height} pixels, '{second}' is {b.Width} x {b.Height}; only pictures of one size can be compared.");

@@ -11,8 +11,22 @@ internal static class PictureOutput
     /// <summary>Where a picture goes if nobody says where: into the folder "out", which is made.</summary>
     public static string DefaultPath(string fileName)
     {
-        Directory.CreateDirectory(DefaultFolder);
+        MakeFolder(DefaultFolder);
         return Path.Combine(DefaultFolder, fileName);
+    }
+
+    /// <summary>Makes a folder if it is not there yet.</summary>
+    /// <exception cref="InputException">It cannot be made.</exception>
+    public static void MakeFolder(string folder)
+    {
+        try
+        {
+            Directory.CreateDirectory(folder);
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new InputException($"cannot make the folder '{folder}'; choose another place, or remove a file of this name.", failure);
+        }
     }
 
     /// <summary>Finds out, before any work, whether files can be written.</summary>

@@ -40,7 +40,7 @@ internal sealed class BenchData
     /// <param name="stop">Stops between two files.</param>
     public void Write(IProgress<double>? progress, CancellationToken stop)
     {
-        Directory.CreateDirectory(_folder);
+        PictureOutput.MakeFolder(_folder);
         List<Action> tasks = [.. Enumerable.Range(0, Pictures).Select<int, Action>(number => () => Save(BenchPictures.Busy(2048 / _reduce, 1024 / _reduce, number), $"tex{number}.png"))];
         tasks.Insert(0, () => AtomicFile.Write(InFolder("torus.obj"), new BenchTorus(1000 / _reduce, 500 / _reduce).Write));
         tasks.Add(() => Save(BenchPictures.Checker(1024 / _reduce, 8), "checker.png"));

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using LabRaytracer;
 
 namespace RenderScene;
 
@@ -47,10 +48,13 @@ internal sealed class BenchTorus(int around, int across)
     /// <summary>The surface: u around the y axis from +z towards +x, v around the tube from its outer edge over the top.</summary>
     private static double[] Point(double u, double v)
     {
-        double phi = 2 * Math.PI * u, psi = 2 * Math.PI * v;
-        double tube = TubeRadius + (0.03 * Math.Sin(9 * phi) * Math.Cos(4 * psi)) + (0.015 * Math.Sin((23 * phi) + (7 * psi)));
-        double distance = RingRadius + (tube * Math.Cos(psi));
-        return [distance * Math.Sin(phi), tube * Math.Sin(psi), distance * Math.Cos(phi)];
+        // The library's own sine: the same digits on every machine.
+        double phi = 360 * u, psi = 360 * v;
+        double dents = Elementary.SinCosDegrees(9 * phi).Sin * Elementary.SinCosDegrees(4 * psi).Cos, folds = Elementary.SinCosDegrees((23 * phi) + (7 * psi)).Sin;
+        (double sinPhi, double cosPhi) = Elementary.SinCosDegrees(phi);
+        (double sinPsi, double cosPsi) = Elementary.SinCosDegrees(psi);
+        double tube = TubeRadius + (0.03 * dents) + (0.015 * folds), distance = RingRadius + (tube * cosPsi);
+        return [distance * sinPhi, tube * sinPsi, distance * cosPhi];
     }
 
     private static double[] Normal(double u, double v)

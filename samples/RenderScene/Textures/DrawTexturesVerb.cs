@@ -14,7 +14,7 @@ internal static class DrawTexturesVerb
         command.SetAction(parsed =>
         {
             string target = parsed.GetRequiredValue(folder);
-            Directory.CreateDirectory(target);
+            PictureOutput.MakeFolder(target);
             foreach ((string name, Func<Picture> draw) in TexturePictures.All)
             {
                 draw().Save(Path.Combine(target, name));

@@ -47,11 +47,33 @@ public sealed class OtherVerbTests
     [InlineData("figure", "9")]
     [InlineData("figure", "one")]
     [InlineData("bench-data", "x", "--reduce", "3")]
+    [InlineData("render", "")]
+    [InlineData("render", "a.json", "b.json")]
+    [InlineData("render", "a.json", "--quiet=maybe")]
+    [InlineData("render", "a.json", "-o")]
+    [InlineData("render", "a.json", "@options")]
+    [InlineData("compare", "a.png")]
+    [InlineData("[suggest]")]
     public void Verbs_WrongWords_AreUsageErrors(params string[] arguments)
     {
         ProgramRun run = ProgramRun.Of(arguments);
         Assert.Equal(ExitCode.Usage, run.Code);
         Assert.DoesNotContain("System.", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Verbs_FolderInPlaceOfAFile_AreBadInput()
+    {
+        using TestFolder folder = new();
+        Directory.CreateDirectory(folder["a"]);
+        File.WriteAllText(folder["b"], "");
+        string[][] lines = [["compare", folder["a"], folder["a"]], ["bench-data", folder["b"]], ["draw-textures", folder["b"]], ["render", folder["a"], "-o", folder["x.png"]]];
+        Assert.All(lines, line =>
+        {
+            ProgramRun run = ProgramRun.Of(line);
+            Assert.Equal(ExitCode.BadInput, run.Code);
+            Assert.Contains("folder", run.Error, StringComparison.Ordinal);
+        });
     }
 
     [Fact]
