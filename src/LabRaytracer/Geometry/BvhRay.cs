@@ -5,13 +5,13 @@ namespace LabRaytracer;
 
 /// <summary>Rays prepared for boxes in floats, so that no box is missed that holds a hit.</summary>
 /// <remarks>
-/// <para>With m the largest component of a direction, the ray parameter in floats is t m, and the slopes are m / d in [1, 2^50]: a smaller component counts as 2^-50 m,
-/// which moves the ray by less than 2^-50 of its way through the tree's box.</para>
+/// <para>With m the power of two below the largest component of a direction, the ray parameter in floats is t m, and the slopes are m / d, of magnitude 1/2 to 2^50:
+/// a smaller component counts as 2^-50 m, which moves the ray by less than 2^-50 of its way through the tree's box.</para>
 /// <para>Let o be an origin's coordinate and b the largest coordinate of the tree's box, both relative to the tree's centre, u = 2^-24, and e the unit roundoff of the
-/// lanes (2^-53, or u). The float plane at c is wrong by at most u (2 |c| + 4 |o|) of length along its axis: two roundings of the slope, three of the offset, one of the
-/// fma. The triangle test may find a point up to 8 e D beside the exact ray, with D the sum of all coordinates of ray and box: each sheared vertex is wrong by up to
-/// 4 e D, and weights wrong by 2 e move a mean of vertices that lie within D. Every plane is moved outward by w = 8 u (|o| + b) + 16 e D, which covers all of it, the
-/// 2^-50 above and the rounding of w itself.</para>
+/// lanes (2^-53, or u). The float plane at c is wrong by at most u (3 |c| + 6 |o|) of length along its axis: two roundings of the slope and one of the fma; for the
+/// origin also its own, the product's and the margin's. The triangle test may find a point up to 8 e D beside the exact ray, with D the sum of all coordinates of ray
+/// and box: each sheared vertex is wrong by up to 4 e D, and weights wrong by 2 e move a mean of vertices that lie within D. Every plane is moved outward by
+/// w = 8 u (|o| + b) + 16 e D, which covers all of it, the 2^-50 above and the rounding of w itself.</para>
 /// </remarks>
 /// <typeparam name="R">Lane type of geometry.</typeparam>
 /// <typeparam name="F">Float lanes of the same width.</typeparam>
@@ -22,7 +22,8 @@ internal struct BvhRay<R, F, I>
     where I : unmanaged, IIndexLane<I>
 {
     private const double SmallestSlope = 8.881784197001252e-16;
-    private const double LargestInverse = 1125899906842624;
+    private const double LeastSingle = 1e-30;
+    private const double LeastDouble = 1e-300;
 
     /// <summary>The three axes.</summary>
     public BvhSlab<F> X, Y, Z;
@@ -54,18 +55,21 @@ internal struct BvhRay<R, F, I>
     /// <param name="toFloat">Factor from ray parameters to those of boxes.</param>
     public static BvhRay<R, F, I> Prepare(Bvh tree, in RayLanes<R> ray, ref R limit, out R toFloat)
     {
-        R x = R.Abs(ray.DirectionX), y = R.Abs(ray.DirectionY), z = R.Abs(ray.DirectionZ);
-        R largest = R.Max(R.Max(x, y), z);
+        R largest = R.Max(R.Max(R.Abs(ray.DirectionX), R.Abs(ray.DirectionY)), R.Abs(ray.DirectionZ));
         R sum = R.Abs(ray.OriginX) + R.Abs(ray.OriginY) + R.Abs(ray.OriginZ);
-        R active = R.Less(R.Zero, limit) & R.Less(R.Zero, largest) & R.Less(sum + (x + y + z), R.Of(double.PositiveInfinity));
+        R active = R.Less(R.Zero, limit) & R.LessOrEqual(R.Of(R.IsSingle ? LeastSingle : LeastDouble), largest)
+            & R.Less(sum, R.Of(double.PositiveInfinity)) & R.Less(largest, R.Of(R.IsSingle ? 1 / LeastSingle : 1 / LeastDouble));
         limit = R.Select(active, limit, R.Of(-1));
-        toFloat = R.Select(active, largest, R.Of(1));
-        R size = (sum + R.Of(tree.Size)) * R.Of(R.IsSingle ? 9.5367431640625e-7 : 1.7763568394002505e-15);
+        R exponent = R.Exponent(R.Select(active, largest, R.Of(1)));
+        toFloat = R.PowerOfTwo(exponent);
+        R scale = R.PowerOfTwo(-exponent);
+        F width = R.ToSingle((sum + R.Of(tree.Size)) * R.Of(R.IsSingle ? 9.5367431640625e-7 : 1.7763568394002505e-15));
+        F isActive = R.MaskToSingle(active);
         BvhRay<R, F, I> result = default;
         result.Active = R.Bits(active);
-        result.X = SlabOf(ray.OriginX - R.Of(tree.CenterX), ray.DirectionX, toFloat, size, tree.SizeX, active, out result.NegativeX);
-        result.Y = SlabOf(ray.OriginY - R.Of(tree.CenterY), ray.DirectionY, toFloat, size, tree.SizeY, active, out result.NegativeY);
-        result.Z = SlabOf(ray.OriginZ - R.Of(tree.CenterZ), ray.DirectionZ, toFloat, size, tree.SizeZ, active, out result.NegativeZ);
+        result.X = SlabOf(R.ToSingle(ray.OriginX - R.Of(tree.CenterX)), R.ToSingle(ray.DirectionX * scale), width, tree.SizeX, isActive, out result.NegativeX);
+        result.Y = SlabOf(R.ToSingle(ray.OriginY - R.Of(tree.CenterY)), R.ToSingle(ray.DirectionY * scale), width, tree.SizeY, isActive, out result.NegativeY);
+        result.Z = SlabOf(R.ToSingle(ray.OriginZ - R.Of(tree.CenterZ)), R.ToSingle(ray.DirectionZ * scale), width, tree.SizeZ, isActive, out result.NegativeZ);
         return result;
     }
 
@@ -77,20 +81,20 @@ internal struct BvhRay<R, F, I>
         return F.Select(R.MaskToSingle(R.Less(R.Zero, limit)), above, F.Of(-1));
     }
 
-    private static BvhSlab<F> SlabOf(R origin, R direction, R largest, R widening, double boxSize, R active, out uint negative)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static BvhSlab<F> SlabOf(F origin, F direction, F widening, double boxSize, F active, out uint negative)
     {
-        R isNegative = R.Less(direction, R.Zero);
-        R steepest = R.Select(isNegative, R.Of(-LargestInverse), R.Of(LargestInverse));
-        R isSteep = R.LessOrEqual(R.Abs(direction), largest * R.Of(SmallestSlope));
-        R inverse = R.Select(active, R.Select(isSteep, steepest, largest / direction), R.Of(1));
-        R offset = R.Select(active, -origin * inverse, R.Zero);
-        R width = R.Fma(R.Abs(origin) + R.Of(boxSize), R.Of(4.76837158203125e-7), widening) * R.Abs(inverse);
-        width = R.Select(active, width, R.Zero);
-        negative = R.Bits(isNegative & active);
+        F isNegative = F.Less(direction, F.Zero);
+        F least = F.Select(isNegative, F.Of(-SmallestSlope), F.Of(SmallestSlope));
+        F slope = F.Select(F.Less(F.Abs(direction), F.Of(SmallestSlope)), least, direction);
+        F inverse = F.Of(1) / F.Select(active, slope, F.Of(1));
+        F offset = -origin * inverse & active;
+        F width = F.Fma(F.Abs(origin) + F.Of(boxSize), F.Of(4.76837158203125e-7), widening) * F.Abs(inverse) & active;
+        negative = F.Bits(isNegative & active);
         BvhSlab<F> slab;
-        slab.Inverse = R.ToSingle(inverse);
-        slab.Near = R.ToSingle(offset - width);
-        slab.Far = R.ToSingle(offset + width);
+        slab.Inverse = inverse;
+        slab.Near = offset - width;
+        slab.Far = offset + width;
         return slab;
     }
 }

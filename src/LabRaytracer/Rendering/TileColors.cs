@@ -33,8 +33,15 @@ internal sealed unsafe class TileColors<F>
         }
     }
 
-    /// <summary>The sum (after <see cref="Average"/>: the mean) of a pixel.</summary>
-    public Intensity this[int pixel] => _sum.Take(pixel);
+    /// <summary>Copies the sums (after <see cref="Average"/>: the means) of consecutive pixels.</summary>
+    public void Copy(int first, Span<Intensity> pixels)
+    {
+        float* red = (float*)_sum.R + first, green = (float*)_sum.G + first, blue = (float*)_sum.B + first;
+        for (int i = 0; i < pixels.Length; i++)
+        {
+            pixels[i] = new Intensity(red[i], green[i], blue[i]);
+        }
+    }
 
     /// <summary>Starts a sample with the light of the camera rays.</summary>
     public void SetSample(in ColorColumns<F> radiance)

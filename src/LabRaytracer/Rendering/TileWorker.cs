@@ -217,10 +217,14 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         for (int row = 0; row < height; row++)
         {
             Span<Intensity> pixels = picture.Row(y - _area.Y + row).Slice(x - _area.X, width);
-            for (int column = 0; column < width; column++)
+            for (int first = 0; first < width; first += Block)
             {
-                Intensity color = _colors[Number(column, row)];
-                pixels[column] = isPlain ? color : Checked(color, x + column, y + row);
+                _colors.Copy(Number(first, row), pixels.Slice(first, Math.Min(Block, width - first)));
+            }
+
+            for (int column = 0; !isPlain && column < width; column++)
+            {
+                pixels[column] = Checked(pixels[column], x + column, y + row);
             }
         }
     }

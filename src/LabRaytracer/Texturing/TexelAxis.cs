@@ -12,7 +12,8 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
     /// <param name="coordinate">u or v.</param>
     /// <param name="texel">Its number, [0, size).</param>
     /// <returns>Mask of lanes outside the picture (border only).</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    /// <remarks>Compiled on its own: together with the texel reads it would exceed what the compiler inlines, and every lane operation would be a call.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public R Nearest<R, F, I>(R coordinate, out I texel)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
@@ -30,7 +31,8 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
     /// <param name="second">Number of the texel to the right or above.</param>
     /// <param name="weight">Weight of the second texel, [0, 1).</param>
     /// <returns>Mask of lanes outside the picture (border only).</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    /// <remarks>Compiled on its own: together with the texel reads it would exceed what the compiler inlines, and every lane operation would be a call.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public R Between<R, F, I>(R coordinate, out I first, out I second, out F weight)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
