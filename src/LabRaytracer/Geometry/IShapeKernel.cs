@@ -25,6 +25,17 @@ internal interface IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
 
+    /// <summary>
+    /// A quick look in floats: false only where <see cref="Intersect"/> is certain to find no hit, whatever its precision.
+    /// It decides what need not be computed, never what is hit.
+    /// </summary>
+    /// <param name="shape">The shape's numbers, rounded to float.</param>
+    /// <param name="ray">Rays in the space of the shape, rounded to float.</param>
+    /// <returns>Mask of rays that may hit. By default all of them.</returns>
+    static virtual F MayHit<F, P>(in P shape, in RayLanes<F> ray)
+        where F : unmanaged, IReal<F>
+        where P : struct, IParameters<F> => F.True;
+
     /// <summary>Surface points of hits; every field of <paramref name="s"/> is written (unused ones as zero).</summary>
     /// <param name="shape">The shape's numbers.</param>
     /// <param name="ray">Rays in object space.</param>

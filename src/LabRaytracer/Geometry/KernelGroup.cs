@@ -14,6 +14,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     private readonly List<double> _described = [];
     private readonly List<int> _numberOfMember = [];
     private R* _numbers;
+    private F* _singles;
 
     public override int Add(Shape shape, Transform transform, int number)
     {
@@ -35,6 +36,12 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         {
             R.Put(_numbers, k, _described[k]);
         }
+
+        _singles = memory.Column<F>(_described.Count, F.Width);
+        for (int k = 0; k < _described.Count; k++)
+        {
+            F.Put(_singles, k, _described[k]);
+        }
     }
 
     public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
@@ -43,6 +50,11 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         int number = _numberOfMember[member];
         for (int packet = first; packet < end; packet++)
         {
+            if (!MayHit(member, rays, packet))
+            {
+                continue;
+            }
+
             RayLanes<R> ray = rays.Load(packet);
             R mask = K.Intersect(shape, ray, out R t);
             if (R.Any(mask))
@@ -58,7 +70,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         for (int packet = first; packet < end; packet++)
         {
             R limit = rays.Limit[packet];
-            if (!R.Any(R.Less(R.Zero, limit)))
+            if (!R.Any(R.Less(R.Zero, limit)) || !MayHit(member, rays, packet))
             {
                 continue;
             }
@@ -92,4 +104,8 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             surfaces.Store(packet, s, needs);
         }
     }
+
+    /// <summary>The quick look, where it is quicker than the kernel itself.</summary>
+    private bool MayHit(int member, RayBatch<R, F, I> rays, int packet) =>
+        R.IsSingle || F.Any(K.MayHit(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays.LoadSingle(packet)));
 }

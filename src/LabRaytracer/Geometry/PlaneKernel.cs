@@ -42,6 +42,27 @@ internal readonly struct PlaneKernel : IShapeKernel
     }
 
     /// <remarks>
+    /// The height over the plane is wrong by at most 8 units of 2^-24 of the coordinates that it is made of, the approach by 8 units: a ray that starts above by more
+    /// than that and moves away by more than that meets no plane.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static F MayHit<F, P>(in P shape, in RayLanes<F> ray)
+        where F : unmanaged, IReal<F>
+        where P : struct, IParameters<F>
+    {
+        F nx = shape[Normal], ny = shape[Normal + 1], nz = shape[Normal + 2];
+        F px = shape[Point], py = shape[Point + 1], pz = shape[Point + 2];
+        F height = Lane.Dot(nx, ny, nz, ray.OriginX - px, ray.OriginY - py, ray.OriginZ - pz);
+        F approach = Lane.Dot(nx, ny, nz, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
+        F size = F.Abs(px) + F.Abs(py) + F.Abs(pz) + F.Abs(ray.OriginX) + F.Abs(ray.OriginY) + F.Abs(ray.OriginZ);
+        F length = F.Abs(ray.DirectionX) + F.Abs(ray.DirectionY) + F.Abs(ray.DirectionZ);
+        F unsure = F.LessOrEqual(F.Abs(height), size * F.Of(8.0 / (1 << 24))) | F.LessOrEqual(F.Abs(approach), length * F.Of(8.0 / (1 << 24)));
+
+        // Height and approach of different signs: the ray comes nearer.
+        return unsure | (F.Less(height, F.Zero) ^ F.Less(approach, F.Zero));
+    }
+
+    /// <remarks>
     /// The point relative to the plane's own point takes one more step along the ray, which removes what rounding t cost: it is accurate at any distance.
     /// It is then put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
     /// </remarks>

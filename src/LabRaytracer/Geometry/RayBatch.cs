@@ -18,6 +18,9 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Largest distance of interest, excluded; below 0 for a ray that is off or (shadow rays) blocked.</summary>
     public readonly R* Limit;
 
+    /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow"/>. In float lanes the rays themselves.</summary>
+    private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
+
     public RayBatch(LaneMemory memory, int capacity)
     {
         OriginX = memory.Column<R>(capacity, R.Width);
@@ -27,6 +30,12 @@ internal sealed unsafe class RayBatch<R, F, I>
         DirectionY = memory.Column<R>(capacity, R.Width);
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Limit = memory.Column<R>(capacity, R.Width);
+        _originX = R.IsSingle ? (F*)OriginX : memory.Column<F>(capacity, R.Width);
+        _originY = R.IsSingle ? (F*)OriginY : memory.Column<F>(capacity, R.Width);
+        _originZ = R.IsSingle ? (F*)OriginZ : memory.Column<F>(capacity, R.Width);
+        _directionX = R.IsSingle ? (F*)DirectionX : memory.Column<F>(capacity, R.Width);
+        _directionY = R.IsSingle ? (F*)DirectionY : memory.Column<F>(capacity, R.Width);
+        _directionZ = R.IsSingle ? (F*)DirectionZ : memory.Column<F>(capacity, R.Width);
     }
 
     /// <summary>Number of rays.</summary>
@@ -39,6 +48,25 @@ internal sealed unsafe class RayBatch<R, F, I>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public RayLanes<R> Load(int packet) => new(
         OriginX[packet], OriginY[packet], OriginZ[packet], DirectionX[packet], DirectionY[packet], DirectionZ[packet]);
+
+    /// <summary>The rays of one group of lanes, rounded to float.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RayLanes<F> LoadSingle(int packet) => new(
+        _originX[packet], _originY[packet], _originZ[packet], _directionX[packet], _directionY[packet], _directionZ[packet]);
+
+    /// <summary>Writes the rounded copies; called once all rays are set, before they are traced.</summary>
+    public void Narrow()
+    {
+        for (int packet = 0; !R.IsSingle && packet < Packets; packet++)
+        {
+            _originX[packet] = R.ToSingle(OriginX[packet]);
+            _originY[packet] = R.ToSingle(OriginY[packet]);
+            _originZ[packet] = R.ToSingle(OriginZ[packet]);
+            _directionX[packet] = R.ToSingle(DirectionX[packet]);
+            _directionY[packet] = R.ToSingle(DirectionY[packet]);
+            _directionZ[packet] = R.ToSingle(DirectionZ[packet]);
+        }
+    }
 
     /// <summary>Rays collected by number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
