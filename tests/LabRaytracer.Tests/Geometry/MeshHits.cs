@@ -24,6 +24,8 @@ internal sealed unsafe class MeshHits<R, F, I> : IDisposable
             R.Put(Rays.Limit, i, limit);
         }
 
+        Rays.Narrow();
+
         Hits.Clear(Rays);
     }
 

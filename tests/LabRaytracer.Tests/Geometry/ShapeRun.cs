@@ -49,6 +49,8 @@ internal sealed unsafe class ShapeRun<R, F, I> : IDisposable
             R.Put(Rays.DirectionZ, i, rays[i].Direction.Z);
             R.Put(Rays.Limit, i, limit);
         }
+
+        Rays.Narrow();
     }
 
     public void Nearest()
