@@ -53,6 +53,15 @@ public sealed partial class SourceRuleTests
     public void NumbersAndTexts_AreNotParsedByTheMachinesCulture() => Assert.Empty(
         SourceTree.Files("src").Where(file => CultureParse().IsMatch(SourceTree.Code(file))).Order(StringComparer.Ordinal));
 
+    [Fact]
+    public void NoFile_NamesAPlaceOnOneMachine() => Assert.Empty(
+        new[] { "src", "samples", "tests" }.SelectMany(SourceTree.Files)
+            .Where(file => MachinePaths().IsMatch(SourceTree.Read(file)) && !file.EndsWith("/SourceRuleTests.cs", StringComparison.Ordinal))
+            .Order(StringComparer.Ordinal));
+
+    [GeneratedRegex(@"[""\s](/home/|/root/|/Users/|/tmp/|/work/)")]
+    private static partial Regex MachinePaths();
+
     [GeneratedRegex(@"0\.04045|1\.055\b|0\.0031308|12\.92\b")]
     private static partial Regex SrgbNumbers();
 
