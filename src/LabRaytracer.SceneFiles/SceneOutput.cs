@@ -11,5 +11,5 @@ public sealed class SceneOutput
     public string? FileName { get; init; }
 
     /// <summary>Encoding, bit depth and tone mapping.</summary>
-    public PictureSaveOptions Picture { get; init; } = PictureSaveOptions.Default;
+    public PictureSaveOptions Picture { get; init => field = PropertyChecks.NotNull(value); } = PictureSaveOptions.Default;
 }

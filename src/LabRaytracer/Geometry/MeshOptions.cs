@@ -17,5 +17,5 @@ public sealed class MeshOptions
     public ReadOnlyMemory<int> TextureCorners { get; init; }
 
     /// <summary>What happens to triangles without area. Default: <see cref="DegenerateTriangles.Reject"/>.</summary>
-    public DegenerateTriangles DegenerateTriangles { get; init; }
+    public DegenerateTriangles DegenerateTriangles { get; init => field = PropertyChecks.Known(value); }
 }

@@ -33,7 +33,7 @@ public sealed class PictureSaveOptions
     }
 
     /// <summary>Time against size of PNG files; default <see cref="PngCompression.Default"/>.</summary>
-    public PngCompression PngCompression { get; init; } = PngCompression.Default;
+    public PngCompression PngCompression { get; init => field = PropertyChecks.Known(value); } = PngCompression.Default;
 
     /// <summary>Keys and values to keep in the file (PNG text chunks); keys of 1..79 printable ASCII characters; default none.</summary>
     /// <exception cref="ArgumentNullException">The list is null.</exception>

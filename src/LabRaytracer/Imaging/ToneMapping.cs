@@ -29,7 +29,7 @@ public sealed class ToneMapping
     }
 
     /// <summary>The operator; default <see cref="ToneOperator.Clamp"/>.</summary>
-    public ToneOperator Operator { get; init; } = ToneOperator.Clamp;
+    public ToneOperator Operator { get; init => field = PropertyChecks.Known(value); } = ToneOperator.Clamp;
 
     /// <summary>Whether in-range light comes out with the same bits.</summary>
     internal bool IsPlainClamp => scale == 1 && Operator == ToneOperator.Clamp;

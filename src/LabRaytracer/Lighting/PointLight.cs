@@ -23,7 +23,7 @@ public sealed class PointLight : Light, IWideLight
     public Intensity Intensity { get; }
 
     /// <summary>How the light fades with distance. Default: not at all.</summary>
-    public Attenuation Attenuation { get; init; } = Attenuation.None;
+    public Attenuation Attenuation { get; init => field = PropertyChecks.NotNull(value); } = Attenuation.None;
 
     private Formula Own => new(Position, Intensity, Attenuation);
 

@@ -53,7 +53,7 @@ public sealed class SpotLight : Light, IWideLight
     public double InnerDegrees { get; }
 
     /// <summary>How the light fades with distance. Default: not at all.</summary>
-    public Attenuation Attenuation { get; init; } = Attenuation.None;
+    public Attenuation Attenuation { get; init => field = PropertyChecks.NotNull(value); } = Attenuation.None;
 
     /// <summary>Cosine of the outer angle.</summary>
     internal double CosOuter { get; }

@@ -2,7 +2,7 @@ namespace LabRaytracer;
 
 /// <summary>How a surface looks (Polish: materiał): coefficients of the lighting model, each a value or a textured value.</summary>
 /// <remarks>
-/// Lab sheet IV, section 1.1 and task 2: the reference to a texture is inside the material. Immutable once built; thread safe.
+/// Lab sheet IV, section 1.1 and task 2: the reference to a texture is inside the material. Immutable once built; thread safe. Only <see cref="Ambient"/> may be null; the others throw <see cref="ArgumentNullException"/>.
 /// Light that leaves a point is emission + ambient * ambient light + sum over lights (shader's reflection of diffuse and specular)
 /// + reflection * mirrored light + transparency * refracted light.
 /// </remarks>
@@ -15,31 +15,31 @@ public sealed class Material
     public TextureSlot? Ambient { get; init; }
 
     /// <summary>k_d: Lambert reflectance. Default: white.</summary>
-    public TextureSlot Diffuse { get; init; } = Intensity.White;
+    public TextureSlot Diffuse { get; init => field = PropertyChecks.NotNull(value); } = Intensity.White;
 
     /// <summary>k_s: specular (highlight) reflectance. Default: black, no highlight.</summary>
-    public TextureSlot Specular { get; init; } = Intensity.Black;
+    public TextureSlot Specular { get; init => field = PropertyChecks.NotNull(value); } = Intensity.Black;
 
     /// <summary>Specular exponent of the highlight, at least 0. Default: 50.</summary>
-    public ScalarSlot Shininess { get; init; } = 50;
+    public ScalarSlot Shininess { get; init => field = PropertyChecks.NotNull(value); } = 50;
 
     /// <summary>k_r: share of mirrored light. Default: black, no mirror.</summary>
-    public TextureSlot Reflection { get; init; } = Intensity.Black;
+    public TextureSlot Reflection { get; init => field = PropertyChecks.NotNull(value); } = Intensity.Black;
 
     /// <summary>k_t: share of light that passes through. Default: black, opaque.</summary>
-    public TextureSlot Transparency { get; init; } = Intensity.Black;
+    public TextureSlot Transparency { get; init => field = PropertyChecks.NotNull(value); } = Intensity.Black;
 
     /// <summary>Index of refraction inside the shape relative to outside, above 0. Default: 1 (nothing is bent).</summary>
-    public ScalarSlot IndexOfRefraction { get; init; } = 1;
+    public ScalarSlot IndexOfRefraction { get; init => field = PropertyChecks.NotNull(value); } = 1;
 
     /// <summary>Share between reflection and refraction of a transparent material. Default: fixed.</summary>
-    public FresnelModel Fresnel { get; init; }
+    public FresnelModel Fresnel { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>Light that the surface gives off by itself. Default: black.</summary>
-    public TextureSlot Emission { get; init; } = Intensity.Black;
+    public TextureSlot Emission { get; init => field = PropertyChecks.NotNull(value); } = Intensity.Black;
 
     /// <summary>The lighting model. Default: Phong.</summary>
-    public IShader Shader { get; init; } = PhongShader.Default;
+    public IShader Shader { get; init => field = PropertyChecks.NotNull(value); } = PhongShader.Default;
 
     /// <summary>A material whose only property is a texture: matte, lit by all lights.</summary>
     public static Material Matte(ITexture texture) => new() { Diffuse = TextureSlot.Of(texture) };

@@ -21,13 +21,13 @@ public sealed class ScalarSlot
     public ITexture? Texture { get; init; }
 
     /// <summary>Which channel of the texture is read. Default: luminance.</summary>
-    public TextureChannel Channel { get; init; }
+    public TextureChannel Channel { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>How the surface is mapped; null (default): as the shape suggests.</summary>
     public IMapping? Mapping { get; init; }
 
     /// <summary>Transform of (u, v) before the lookup. Default: none.</summary>
-    public UvTransform Transform { get; init; } = UvTransform.Identity;
+    public UvTransform Transform { get; init => field = PropertyChecks.NotNull(value); } = UvTransform.Identity;
 
     /// <summary>How much of the texture's effect is applied, [0, 1]. Default: 1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Outside [0, 1] or NaN.</exception>
@@ -40,7 +40,7 @@ public sealed class ScalarSlot
     }
 
     /// <summary>How the texture changes the value. Default: multiply.</summary>
-    public BlendMode Blend { get; init; }
+    public BlendMode Blend { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>A constant number.</summary>
     public static implicit operator ScalarSlot(double value) => new() { Value = (float)value };

@@ -21,7 +21,7 @@ public sealed class TextureSlot
     public IMapping? Mapping { get; init; }
 
     /// <summary>Transform of (u, v) before the lookup. Default: none.</summary>
-    public UvTransform Transform { get; init; } = UvTransform.Identity;
+    public UvTransform Transform { get; init => field = PropertyChecks.NotNull(value); } = UvTransform.Identity;
 
     /// <summary>How much of the texture's effect is applied, [0, 1], both ends included. Default: 1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Outside [0, 1] or NaN.</exception>
@@ -38,9 +38,7 @@ public sealed class TextureSlot
     public BlendMode Blend
     {
         get => _blend;
-        init => _blend = Enum.IsDefined(value)
-            ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"Unknown blend. Allowed: {string.Join(", ", Enum.GetNames<BlendMode>())}.");
+        init => _blend = PropertyChecks.Known(value);
     }
 
     /// <summary>A constant coefficient.</summary>

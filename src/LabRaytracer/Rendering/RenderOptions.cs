@@ -41,7 +41,7 @@ public sealed class RenderOptions
     }
 
     /// <summary>Where the samples of a pixel lie. Default: regular.</summary>
-    public SamplePattern Pattern { get; init; }
+    public SamplePattern Pattern { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>Number that random choices derive from, together with pixel and sample. Default: 0.</summary>
     public int Seed { get; init; }
@@ -54,7 +54,7 @@ public sealed class RenderOptions
     }
 
     /// <summary>Precision of geometry. Default: double.</summary>
-    public Precision Precision { get; init; }
+    public Precision Precision { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>Most reflections and refractions in a row, [0, 64]; what lies deeper is black. Default: 5.</summary>
     public int MaxDepth
@@ -64,10 +64,10 @@ public sealed class RenderOptions
     }
 
     /// <summary>Filter of all picture textures, overriding their own; null (default): their own.</summary>
-    public TextureFilter? Filter { get; init; }
+    public TextureFilter? Filter { get; init => field = value is { } filter ? PropertyChecks.Known(filter) : null; }
 
     /// <summary>What the picture shows. Default: colour.</summary>
-    public RenderView View { get; init; }
+    public RenderView View { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>Part of the picture to render, inside it; null (default): all. The result has the size of this part.</summary>
     public PixelRectangle? Crop { get; init; }

@@ -38,7 +38,7 @@ public sealed class CheckerTexture : IPreparedTexture
     }
 
     /// <summary>Where the cells lie. Default: texture space.</summary>
-    public CheckerSpace Space { get; init; }
+    public CheckerSpace Space { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>Width of lines between the cells of texture space, cells, [0, 1]. Default: 0, none.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Outside [0, 1] or NaN.</exception>

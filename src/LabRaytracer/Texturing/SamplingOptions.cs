@@ -17,7 +17,7 @@ public sealed class SamplingOptions
     public TextureFilter Filter
     {
         get => _filter;
-        init => _filter = Checked(value);
+        init => _filter = PropertyChecks.Known(value);
     }
 
     /// <summary>Where texels lie. Default: centres.</summary>
@@ -25,7 +25,7 @@ public sealed class SamplingOptions
     public TexelConvention Texels
     {
         get => _texels;
-        init => _texels = Checked(value);
+        init => _texels = PropertyChecks.Known(value);
     }
 
     /// <summary>Wrap in u; null (default): as the mapping suggests.</summary>
@@ -33,7 +33,7 @@ public sealed class SamplingOptions
     public TextureWrap? WrapU
     {
         get => _wrapU;
-        init => _wrapU = value is { } wrap ? Checked(wrap) : null;
+        init => _wrapU = value is { } wrap ? PropertyChecks.Known(wrap) : null;
     }
 
     /// <summary>Wrap in v; null (default): as the mapping suggests.</summary>
@@ -41,20 +41,16 @@ public sealed class SamplingOptions
     public TextureWrap? WrapV
     {
         get => _wrapV;
-        init => _wrapV = value is { } wrap ? Checked(wrap) : null;
+        init => _wrapV = value is { } wrap ? PropertyChecks.Known(wrap) : null;
     }
 
     /// <summary>How numbers become linear colour. Default: automatic.</summary>
-    public ColorSpace ColorSpace { get; init; } = ColorSpace.Auto;
+    /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
+    public ColorSpace ColorSpace { get; init => field = PropertyChecks.Known(value); } = ColorSpace.Auto;
 
     /// <summary>The same options with another filter.</summary>
     public SamplingOptions With(TextureFilter filter) => new()
     {
         Filter = filter, Texels = Texels, WrapU = WrapU, WrapV = WrapV, ColorSpace = ColorSpace,
     };
-
-    private static TEnum Checked<TEnum>(TEnum value)
-        where TEnum : struct, Enum => Enum.IsDefined(value)
-            ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"Unknown {typeof(TEnum).Name}. Allowed: {string.Join(", ", Enum.GetNames<TEnum>())}.");
 }

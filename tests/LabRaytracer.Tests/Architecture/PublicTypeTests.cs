@@ -36,6 +36,56 @@ public sealed class PublicTypeTests
             .Select(method => $"{method.DeclaringType!.Name}.{method.Name}"));
 
     [Fact]
+    public void Properties_RefuseNullAndUnknownEnumValues()
+    {
+        NullabilityInfoContext nullability = new();
+        int tried = 0;
+        foreach (object target in Specimens())
+        {
+            foreach (PropertyInfo property in target.GetType().GetProperties().Where(property => property.SetMethod is { IsPublic: true }))
+            {
+                Type type = Nullable.GetUnderlyingType(property.PropertyType) ?? property.PropertyType;
+                bool takesNull = nullability.Create(property).WriteState == NullabilityState.Nullable;
+                if (type.IsEnum && type.GetCustomAttribute<FlagsAttribute>() is null)
+                {
+                    tried++;
+                    Assert.IsType<ArgumentOutOfRangeException>(Refusal(property, target, Enum.ToObject(type, 99)));
+                }
+                else if (!type.IsValueType && type != typeof(string) && !takesNull)
+                {
+                    tried++;
+                    Assert.IsType<ArgumentNullException>(Refusal(property, target, null));
+                }
+            }
+        }
+
+        Assert.InRange(tried, 30, 200);
+    }
+
+    /// <summary>An object of every public class that can be made without arguments, and of some that cannot.</summary>
+    private static IEnumerable<object> Specimens() => PublicTypes
+        .Where(type => type is { IsClass: true, IsAbstract: false } && type.GetConstructor([]) is not null)
+        .Select(type => Activator.CreateInstance(type)!)
+        .Append(new Texture(1, 1))
+        .Append(new PointLight(Point3D.Origin, Intensity.White))
+        .Append(new SpotLight(Point3D.Origin, new Point3D(0, 0, 1), Intensity.White, 20, 10));
+
+    private static Exception? Refusal(PropertyInfo property, object target, object? value)
+    {
+        try
+        {
+            property.SetValue(target, value);
+        }
+        catch (TargetInvocationException refusal)
+        {
+            return refusal.InnerException;
+        }
+
+        Assert.Fail($"{property.DeclaringType!.Name}.{property.Name} takes {value ?? "null"}.");
+        return null;
+    }
+
+    [Fact]
     public void EveryPublicType_IsDocumented()
     {
         foreach (Assembly library in s_libraries)
