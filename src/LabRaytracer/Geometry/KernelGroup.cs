@@ -86,9 +86,9 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     {
         for (int packet = 0; packet * R.Width < count; packet++)
         {
-            I index = I.Load(order + (packet * R.Width));
-            RayLanes<R> ray = rays.Gather(index);
-            R t = R.Gather(hits.T, index);
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            RayLanes<R> ray = rays.Collect(run);
+            R t = run.Collect<R, F>(hits.T);
             SurfaceLanes<R> s;
             if (_numberOfMember.Count == 1)
             {
@@ -96,9 +96,17 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             }
             else
             {
-                I number = I.Gather((int*)hits.Object, index);
-                I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
-                K.Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, t, out s);
+                int one = ((int*)hits.Object)[run.First];
+                I number = run.Collect(hits.Object);
+                if (I.AllEqual(number, one))
+                {
+                    K.Surface(new SharedParameters<R, F, I>(_numbers, memberOfObject[one] * K.ParameterCount), ray, t, out s);
+                }
+                else
+                {
+                    I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
+                    K.Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, t, out s);
+                }
             }
 
             surfaces.Store(packet, s, needs);

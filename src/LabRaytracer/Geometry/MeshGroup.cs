@@ -76,14 +76,14 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     {
         for (int packet = 0; packet * R.Width < count; packet++)
         {
-            I ray = I.Load(order + (packet * R.Width));
-            I members = _members.Count == 1 ? I.Of(0) : I.Gather(memberOfObject, I.Gather((int*)hits.Object, ray));
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            I members = _members.Count == 1 ? I.Of(0) : I.Gather(memberOfObject, run.Collect(hits.Object));
             SurfaceLanes<R> s = default;
             int lane = 0;
             while (lane < R.Width)
             {
                 int member = I.Get(members, lane);
-                Merge(member, I.Equal(members, I.Of(member)), rays, hits, ray, ref s);
+                Merge(member, I.Equal(members, I.Of(member)), rays, hits, run, ref s);
                 lane = NextMember(members, lane);
             }
 
@@ -112,11 +112,11 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     }
 
     /// <summary>Writes the lanes of one member.</summary>
-    private void Merge(int member, I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, I ray, ref SurfaceLanes<R> s)
+    private void Merge(int member, I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, ref SurfaceLanes<R> s)
     {
         MeshData mesh = _members[member].Mesh.Data;
-        I triangle = I.Gather((int*)hits.Part, ray) & mask;
-        MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Gather(ray)), triangle, R.Gather(hits.A, ray), R.Gather(hits.B, ray), out SurfaceLanes<R> own);
+        I triangle = run.Collect(hits.Part) & mask;
+        MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Collect(run)), triangle, run.Collect<R, F>(hits.A), run.Collect<R, F>(hits.B), out SurfaceLanes<R> own);
         if (isTransformed)
         {
             WorldSpace.FromObject(Transform(member), ref own);

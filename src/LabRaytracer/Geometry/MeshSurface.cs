@@ -20,9 +20,10 @@ internal static unsafe class MeshSurface
     {
         s = default;
         I corner = triangle * I.Of(3);
-        Edges<R, F, I>(mesh.Positions, mesh.Corners, corner, 3, 0, out R x0, out R x1, out R x2);
-        Edges<R, F, I>(mesh.Positions, mesh.Corners, corner, 3, 1, out R y0, out R y1, out R y2);
-        Edges<R, F, I>(mesh.Positions, mesh.Corners, corner, 3, 2, out R z0, out R z1, out R z2);
+        MeshCorners<I> at = new(mesh.Corners, corner, 3);
+        Edges<R, F, I>(mesh.Positions, at, 0, out R x0, out R x1, out R x2);
+        Edges<R, F, I>(mesh.Positions, at, 1, out R y0, out R y1, out R y2);
+        Edges<R, F, I>(mesh.Positions, at, 2, out R z0, out R z1, out R z2);
         s.PointX = s.LocalX = R.Fma(a, x1, R.Fma(b, x2, x0));
         s.PointY = s.LocalY = R.Fma(a, y1, R.Fma(b, y2, y0));
         s.PointZ = s.LocalZ = R.Fma(a, z1, R.Fma(b, z2, z0));
@@ -43,8 +44,9 @@ internal static unsafe class MeshSurface
         (s.LocalNormalX, s.LocalNormalY, s.LocalNormalZ) = (nx, ny, nz);
         if (mesh.TextureCoordinates.IsPresent)
         {
-            Edges<R, F, I>(mesh.TextureCoordinates, mesh.TextureCorners, corner, 2, 0, out R u0, out R u1, out R u2);
-            Edges<R, F, I>(mesh.TextureCoordinates, mesh.TextureCorners, corner, 2, 1, out R v0, out R v1, out R v2);
+            at = new MeshCorners<I>(mesh.TextureCorners, corner, 2);
+            Edges<R, F, I>(mesh.TextureCoordinates, at, 0, out R u0, out R u1, out R u2);
+            Edges<R, F, I>(mesh.TextureCoordinates, at, 1, out R v0, out R v1, out R v2);
             s.SurfaceU = R.Fma(a, u1, R.Fma(b, u2, u0));
             s.SurfaceV = R.Fma(a, v1, R.Fma(b, v2, v0));
         }
@@ -56,24 +58,25 @@ internal static unsafe class MeshSurface
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        Edges<R, F, I>(mesh.Normals, mesh.NormalCorners, corner, 3, 0, out R x0, out R x1, out R x2);
-        Edges<R, F, I>(mesh.Normals, mesh.NormalCorners, corner, 3, 1, out R y0, out R y1, out R y2);
-        Edges<R, F, I>(mesh.Normals, mesh.NormalCorners, corner, 3, 2, out R z0, out R z1, out R z2);
+        MeshCorners<I> at = new(mesh.NormalCorners, corner, 3);
+        Edges<R, F, I>(mesh.Normals, at, 0, out R x0, out R x1, out R x2);
+        Edges<R, F, I>(mesh.Normals, at, 1, out R y0, out R y1, out R y2);
+        Edges<R, F, I>(mesh.Normals, at, 2, out R z0, out R z1, out R z2);
         (s.ShadingX, s.ShadingY, s.ShadingZ) = Unit(
             R.Fma(a, x1, R.Fma(b, x2, x0)), R.Fma(a, y1, R.Fma(b, y2, y0)), R.Fma(a, z1, R.Fma(b, z2, z0)), s.ShadingX, s.ShadingY, s.ShadingZ);
     }
 
     /// <summary>A number at vertex 0, and its changes towards vertices 1 and 2.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Edges<R, F, I>(MeshColumn column, int* corners, I corner, int stride, int k, out R at0, out R to1, out R to2)
+    private static void Edges<R, F, I>(MeshColumn column, in MeshCorners<I> corners, int k, out R at0, out R to1, out R to2)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        I size = I.Of(stride), offset = I.Of(k);
-        at0 = column.Gather<R, F, I>((I.Gather(corners, corner) * size) + offset);
-        to1 = column.Gather<R, F, I>((I.Gather(corners + 1, corner) * size) + offset) - at0;
-        to2 = column.Gather<R, F, I>((I.Gather(corners + 2, corner) * size) + offset) - at0;
+        I offset = I.Of(k);
+        at0 = column.Gather<R, F, I>(corners.First + offset);
+        to1 = column.Gather<R, F, I>(corners.Second + offset) - at0;
+        to2 = column.Gather<R, F, I>(corners.Third + offset) - at0;
     }
 
     /// <summary>a d - b c, within 1.5 ulp, so that slivers keep their normals.</summary>

@@ -70,9 +70,9 @@ internal sealed unsafe class RayBatch<R, F, I>
 
     /// <summary>Rays collected by number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public RayLanes<R> Gather(I ray) => new(
-        R.Gather(OriginX, ray), R.Gather(OriginY, ray), R.Gather(OriginZ, ray),
-        R.Gather(DirectionX, ray), R.Gather(DirectionY, ray), R.Gather(DirectionZ, ray));
+    public RayLanes<R> Collect(in LaneRun<I> run) => new(
+        run.Collect<R, F>(OriginX), run.Collect<R, F>(OriginY), run.Collect<R, F>(OriginZ),
+        run.Collect<R, F>(DirectionX), run.Collect<R, F>(DirectionY), run.Collect<R, F>(DirectionZ));
 
     /// <summary>One ray in doubles.</summary>
     public Ray this[int ray] => new(

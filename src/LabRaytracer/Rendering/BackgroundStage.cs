@@ -16,10 +16,10 @@ internal static unsafe class BackgroundStage
             PositionBatch<R> at = buffers.Surfaces.Positions;
             for (int packet = 0; packet < packets; packet++)
             {
-                I index = I.Load(order + (packet * R.Width));
-                at.X[packet] = at.NormalX[packet] = R.Gather(rays.DirectionX, index);
-                at.Y[packet] = at.NormalY[packet] = R.Gather(rays.DirectionY, index);
-                at.Z[packet] = at.NormalZ[packet] = R.Gather(rays.DirectionZ, index);
+                LaneRun<I> run = new(order, packet * R.Width, count);
+                at.X[packet] = at.NormalX[packet] = run.Collect<R, F>(rays.DirectionX);
+                at.Y[packet] = at.NormalY[packet] = run.Collect<R, F>(rays.DirectionY);
+                at.Z[packet] = at.NormalZ[packet] = run.Collect<R, F>(rays.DirectionZ);
             }
 
             TextureStage.Run(background, buffers, count, counters);

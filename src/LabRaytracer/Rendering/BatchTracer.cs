@@ -112,6 +112,13 @@ internal sealed unsafe class BatchTracer<R, F, I>
 
     private static void Scatter(int* order, int count, float* from, float* to)
     {
+        // A group is often one run of consecutive rays.
+        if (order[count - 1] - order[0] == count - 1)
+        {
+            new ReadOnlySpan<float>(from, count).CopyTo(new Span<float>(to + order[0], count));
+            return;
+        }
+
         for (int i = 0; i < count; i++)
         {
             to[order[i]] = from[i];

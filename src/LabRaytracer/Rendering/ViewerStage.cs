@@ -16,8 +16,8 @@ internal static unsafe class ViewerStage
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
-            I index = I.Load(order + (packet * R.Width));
-            R dx = R.Gather(rays.DirectionX, index), dy = R.Gather(rays.DirectionY, index), dz = R.Gather(rays.DirectionZ, index);
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            R dx = run.Collect<R, F>(rays.DirectionX), dy = run.Collect<R, F>(rays.DirectionY), dz = run.Collect<R, F>(rays.DirectionZ);
             buffers.DirectionX[packet] = dx;
             buffers.DirectionY[packet] = dy;
             buffers.DirectionZ[packet] = dz;

@@ -30,6 +30,9 @@ internal interface IIndexLane<I> :
     /// <summary>Mask of equality.</summary>
     static abstract I Equal(I a, I b);
 
+    /// <summary>Tells whether every lane holds a value.</summary>
+    static abstract bool AllEqual(I a, int value);
+
     /// <summary><paramref name="yes"/> where the mask is true, else <paramref name="no"/>.</summary>
     static abstract I Select(I mask, I yes, I no);
 

@@ -55,6 +55,9 @@ internal readonly struct Int1(int value) : IIndexLane<Int1>
     public static Int1 Equal(Int1 a, Int1 b) => new(a.Value == b.Value ? -1 : 0);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool AllEqual(Int1 a, int value) => a.Value == value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int1 Select(Int1 mask, Int1 yes, Int1 no) => new((mask.Value & yes.Value) | (~mask.Value & no.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -57,6 +57,9 @@ internal readonly struct Int16(Vector512<int> value) : IIndexLane<Int16>
     public static Int16 Equal(Int16 a, Int16 b) => new(Vector512.Equals(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool AllEqual(Int16 a, int value) => a.Value == Vector512.Create(value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int16 Select(Int16 mask, Int16 yes, Int16 no) => new(Vector512.ConditionalSelect(mask.Value, yes.Value, no.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

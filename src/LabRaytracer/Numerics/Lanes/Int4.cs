@@ -57,6 +57,9 @@ internal readonly struct Int4(Vector128<int> value) : IIndexLane<Int4>
     public static Int4 Equal(Int4 a, Int4 b) => new(Vector128.Equals(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool AllEqual(Int4 a, int value) => a.Value == Vector128.Create(value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int4 Select(Int4 mask, Int4 yes, Int4 no) => new(Vector128.ConditionalSelect(mask.Value, yes.Value, no.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

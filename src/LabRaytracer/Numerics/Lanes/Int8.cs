@@ -57,6 +57,9 @@ internal readonly struct Int8(Vector256<int> value) : IIndexLane<Int8>
     public static Int8 Equal(Int8 a, Int8 b) => new(Vector256.Equals(a.Value, b.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool AllEqual(Int8 a, int value) => a.Value == Vector256.Create(value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int8 Select(Int8 mask, Int8 yes, Int8 no) => new(Vector256.ConditionalSelect(mask.Value, yes.Value, no.Value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
