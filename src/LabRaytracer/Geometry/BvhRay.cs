@@ -5,7 +5,7 @@ namespace LabRaytracer;
 
 /// <summary>Rays prepared for boxes in floats, so that no box is missed that holds a hit.</summary>
 /// <remarks>
-/// <para>With m the power of two below the largest component of a direction, the ray parameter in floats is t m, and the slopes are m / d, of magnitude 1/2 to 2^50:
+/// <para>With m the power of two below the largest component of a direction (1 if all of them are near 1), the ray parameter in floats is t m, and the slopes are m / d, of magnitude 1/2 to 2^50:
 /// a smaller component counts as 2^-50 m, which moves the ray by less than 2^-50 of its way through the tree's box.</para>
 /// <para>Let o be an origin's coordinate and b the largest coordinate of the tree's box, both relative to the tree's centre, u = 2^-24, and e the unit roundoff of the
 /// lanes (2^-53, or u). The float plane at c is wrong by at most u (3 |c| + 6 |o|) of length along its axis: two roundings of the slope and one of the fma; for the
@@ -55,22 +55,40 @@ internal struct BvhRay<R, F, I>
     /// <param name="toFloat">Factor from ray parameters to those of boxes.</param>
     public static BvhRay<R, F, I> Prepare(Bvh tree, in RayLanes<R> ray, ref R limit, out R toFloat)
     {
+        F dx = R.ToSingle(ray.DirectionX), dy = R.ToSingle(ray.DirectionY), dz = R.ToSingle(ray.DirectionZ);
+        F largest = F.Max(F.Max(F.Abs(dx), F.Abs(dy)), F.Abs(dz));
+        toFloat = R.Of(1);
+        F isUnit = F.LessOrEqual(F.Of(0.25), largest) & F.LessOrEqual(largest, F.Of(2));
+        if (!F.All(isUnit))
+        {
+            isUnit = Rescale(ray, out toFloat, out dx, out dy, out dz);
+        }
+
+        F sum = F.Abs(R.ToSingle(ray.OriginX)) + F.Abs(R.ToSingle(ray.OriginY)) + F.Abs(R.ToSingle(ray.OriginZ));
+        F active = R.MaskToSingle(R.Less(R.Zero, limit)) & isUnit & F.Less(sum, F.Of(double.PositiveInfinity));
+        limit = R.Select(R.MaskFromSingle(active), limit, R.Of(-1));
+        F width = (sum + F.Of(tree.Size)) * F.Of(R.IsSingle ? 9.5367431640625e-7 : 1.7763568394002505e-15);
+        BvhRay<R, F, I> result = default;
+        result.Active = F.Bits(active);
+        result.X = SlabOf(R.ToSingle(ray.OriginX - R.Of(tree.CenterX)), dx, width, tree.SizeX, active, out result.NegativeX);
+        result.Y = SlabOf(R.ToSingle(ray.OriginY - R.Of(tree.CenterY)), dy, width, tree.SizeY, active, out result.NegativeY);
+        result.Z = SlabOf(R.ToSingle(ray.OriginZ - R.Of(tree.CenterZ)), dz, width, tree.SizeZ, active, out result.NegativeZ);
+        return result;
+    }
+
+    /// <summary>Directions of any length, brought to a largest component in [1, 2) by a power of two; the mask is false where there is no direction.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static F Rescale(in RayLanes<R> ray, out R toFloat, out F x, out F y, out F z)
+    {
         R largest = R.Max(R.Max(R.Abs(ray.DirectionX), R.Abs(ray.DirectionY)), R.Abs(ray.DirectionZ));
-        R sum = R.Abs(ray.OriginX) + R.Abs(ray.OriginY) + R.Abs(ray.OriginZ);
-        R active = R.Less(R.Zero, limit) & R.LessOrEqual(R.Of(R.IsSingle ? LeastSingle : LeastDouble), largest)
-            & R.Less(sum, R.Of(double.PositiveInfinity)) & R.Less(largest, R.Of(R.IsSingle ? 1 / LeastSingle : 1 / LeastDouble));
-        limit = R.Select(active, limit, R.Of(-1));
-        R exponent = R.Exponent(R.Select(active, largest, R.Of(1)));
+        R isUsable = R.LessOrEqual(R.Of(R.IsSingle ? LeastSingle : LeastDouble), largest) & R.Less(largest, R.Of(R.IsSingle ? 1 / LeastSingle : 1 / LeastDouble));
+        R exponent = R.Exponent(R.Select(isUsable, largest, R.Of(1)));
         toFloat = R.PowerOfTwo(exponent);
         R scale = R.PowerOfTwo(-exponent);
-        F width = R.ToSingle((sum + R.Of(tree.Size)) * R.Of(R.IsSingle ? 9.5367431640625e-7 : 1.7763568394002505e-15));
-        F isActive = R.MaskToSingle(active);
-        BvhRay<R, F, I> result = default;
-        result.Active = R.Bits(active);
-        result.X = SlabOf(R.ToSingle(ray.OriginX - R.Of(tree.CenterX)), R.ToSingle(ray.DirectionX * scale), width, tree.SizeX, isActive, out result.NegativeX);
-        result.Y = SlabOf(R.ToSingle(ray.OriginY - R.Of(tree.CenterY)), R.ToSingle(ray.DirectionY * scale), width, tree.SizeY, isActive, out result.NegativeY);
-        result.Z = SlabOf(R.ToSingle(ray.OriginZ - R.Of(tree.CenterZ)), R.ToSingle(ray.DirectionZ * scale), width, tree.SizeZ, isActive, out result.NegativeZ);
-        return result;
+        x = R.ToSingle(ray.DirectionX * scale);
+        y = R.ToSingle(ray.DirectionY * scale);
+        z = R.ToSingle(ray.DirectionZ * scale);
+        return R.MaskToSingle(isUsable);
     }
 
     /// <summary>A ray parameter's limit in the units of boxes, rounded up; -1 for lanes that are off.</summary>
