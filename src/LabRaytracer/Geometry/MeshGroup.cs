@@ -78,13 +78,15 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
             I members = _members.Count == 1 ? I.Of(0) : I.Gather(memberOfObject, run.Collect(hits.Object));
-            SurfaceLanes<R> s = default;
-            int lane = 0;
-            while (lane < R.Width)
+            int first = I.Get(members, 0);
+            SurfaceLanes<R> s;
+            if (I.AllEqual(members, first))
             {
-                int member = I.Get(members, lane);
-                Merge(member, I.Equal(members, I.Of(member)), rays, hits, run, ref s);
-                lane = NextMember(members, lane);
+                Compute(first, run.Collect(hits.Part), rays, hits, run, out s);
+            }
+            else
+            {
+                MergeMembers(members, rays, hits, run, out s);
             }
 
             surfaces.Store(packet, s, needs);
@@ -111,17 +113,32 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         return lane;
     }
 
+    /// <summary>Lanes on several meshes: mesh after mesh.</summary>
+    private void MergeMembers(I members, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, out SurfaceLanes<R> s)
+    {
+        s = default;
+        for (int lane = 0; lane < R.Width; lane = NextMember(members, lane))
+        {
+            int member = I.Get(members, lane);
+            Merge(member, I.Equal(members, I.Of(member)), rays, hits, run, ref s);
+        }
+    }
+
+    /// <summary>Surface points on one mesh.</summary>
+    private void Compute(int member, I triangle, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, out SurfaceLanes<R> s)
+    {
+        MeshData mesh = _members[member].Mesh.Data;
+        MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Collect(run)), triangle, run.Collect<R, F>(hits.A), run.Collect<R, F>(hits.B), out s);
+        if (isTransformed)
+        {
+            WorldSpace.FromObject(Transform(member), ref s);
+        }
+    }
+
     /// <summary>Writes the lanes of one member.</summary>
     private void Merge(int member, I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, ref SurfaceLanes<R> s)
     {
-        MeshData mesh = _members[member].Mesh.Data;
-        I triangle = run.Collect(hits.Part) & mask;
-        MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Collect(run)), triangle, run.Collect<R, F>(hits.A), run.Collect<R, F>(hits.B), out SurfaceLanes<R> own);
-        if (isTransformed)
-        {
-            WorldSpace.FromObject(Transform(member), ref own);
-        }
-
+        Compute(member, run.Collect(hits.Part) & mask, rays, hits, run, out SurfaceLanes<R> own);
         R isOwn = R.MaskFromInt32(mask);
         Span<R> merged = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new Span<SurfaceLanes<R>>(ref s));
         ReadOnlySpan<R> added = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new ReadOnlySpan<SurfaceLanes<R>>(ref own));

@@ -16,10 +16,20 @@ internal unsafe struct MeshLeaf<R, F, I, P, TSink>(MeshTriangle* triangles, P po
     /// <summary>What was found.</summary>
     public TSink Sink = sink;
 
-    private readonly WatertightRay<R> _ray = new(ray, active);
+    private readonly RayLanes<R> _source = ray;
+    private readonly R _active = active;
+    private WatertightRay<R> _ray;
+    private bool _isPrepared;
 
     public bool Visit(int first, int count, ref R limit)
     {
+        // Many rays meet no leaf at all.
+        if (!_isPrepared)
+        {
+            _ray = new WatertightRay<R>(_source, _active);
+            _isPrepared = true;
+        }
+
         bool isLowered = false;
         for (MeshTriangle* triangle = triangles + first; triangle < triangles + first + count; triangle++)
         {
