@@ -27,7 +27,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity);
         _lights = new LightStage<R, F, I>(scene, _buffers, counters);
         _secondary = new SecondaryRays(capacity);
-        _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters);
+        _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity);
         Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
         Pixels = new int[capacity];

@@ -1,7 +1,7 @@
 namespace LabRaytracer;
 
 /// <summary>Reflected and refracted rays of a group of hits (Whitted 1980).</summary>
-internal sealed unsafe class SecondaryStage<R, F, I>(ShadingBuffers<R, F, I> buffers, SecondaryRays secondary, WorkerCounters counters)
+internal sealed unsafe class SecondaryStage<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -12,6 +12,21 @@ internal sealed unsafe class SecondaryStage<R, F, I>(ShadingBuffers<R, F, I> buf
     /// </summary>
     public const float LeastWeight = 1f / 4096;
 
+    private readonly ShadingBuffers<R, F, I> _buffers;
+    private readonly SecondaryRays _secondary;
+    private readonly WorkerCounters _counters;
+    private readonly SecondaryColumns<R, F, I> _reflected;
+    private readonly SecondaryColumns<R, F, I> _refracted;
+
+    public SecondaryStage(ShadingBuffers<R, F, I> buffers, SecondaryRays secondary, WorkerCounters counters, LaneMemory memory, int capacity)
+    {
+        _buffers = buffers;
+        _secondary = secondary;
+        _counters = counters;
+        _reflected = new SecondaryColumns<R, F, I>(memory, capacity);
+        _refracted = new SecondaryColumns<R, F, I>(memory, capacity);
+    }
+
     /// <summary>Makes the secondary rays of a group.</summary>
     /// <param name="material">The material, which mirrors or transmits.</param>
     /// <param name="order">Numbers of the rays that hit.</param>
@@ -20,111 +35,97 @@ internal sealed unsafe class SecondaryStage<R, F, I>(ShadingBuffers<R, F, I> buf
     /// <param name="pixels">Pixel of each ray of the batch.</param>
     public void Run(CompiledMaterial material, int* order, int count, Intensity[] weights, int[] pixels)
     {
-        for (int i = 0; i < count; i++)
+        bool isTransparent = !material.Transparency.IsBlack;
+        for (int packet = 0; packet * R.Width < count; packet++)
         {
-            int packet = i / R.Width, lane = i % R.Width, ray = order[i];
-            material.Reflection.Read(buffers.Texels, packet, out F red, out F green, out F blue);
-            Intensity reflection = At(red, green, blue, lane);
-            if (!material.Transparency.IsBlack)
+            material.Reflection.Read(_buffers.Texels, packet, out F red, out F green, out F blue);
+            if (isTransparent)
             {
-                material.Transparency.Read(buffers.Texels, packet, out red, out green, out blue);
-                double index = F.Get(material.IndexOfRefraction.Read(buffers.Texels, packet), lane);
-                reflection += Refract(material.Material.Fresnel, index, At(red, green, blue, lane), i, ray, weights[ray], pixels[ray]);
+                Refract(material, packet, ref red, ref green, ref blue);
             }
 
-            Reflect(reflection * weights[ray], i, ray, pixels[ray]);
+            _reflected.SetShare(packet, red, green, blue);
+            Reflect(packet);
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            int ray = order[i];
+            Intensity reflected = _reflected.Share(i) * weights[ray];
+            if (IsFollowed(reflected))
+            {
+                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], reflected, pixels[ray]));
+            }
+
+            Intensity refracted = isTransparent ? _refracted.Share(i) * weights[ray] : Intensity.Black;
+            if (IsFollowed(refracted))
+            {
+                _secondary.Refract(ray, new SecondaryRay(_refracted[i], refracted, pixels[ray]));
+            }
         }
     }
 
-    /// <summary>Keeps the refracted ray; returns the share that is reflected instead.</summary>
-    private Intensity Refract(FresnelModel model, double index, Intensity transparency, int i, int ray, Intensity weight, int pixel)
+    /// <summary>Refracted rays; what the boundary mirrors instead is added to the reflected shares.</summary>
+    private void Refract(CompiledMaterial material, int packet, ref F red, ref F green, ref F blue)
     {
-        double ratio = R.Take(buffers.Inside, i) == 0 ? 1 / index : index;
-        Vector3D direction = Direction(i), normal = Shading(i);
-        double cosNear = Math.Min(1, Math.Max(0, -Vector3D.Dot(direction, normal)));
-        double sinSquared = ratio * ratio * (1 - (cosNear * cosNear));
-        if (!(sinSquared < 1))
-        {
-            // Total reflection: nothing leaves through the surface.
-            return transparency;
-        }
-
-        double cosFar = Math.Sqrt(1 - sinSquared);
-        double reflected = model switch
+        SurfaceBatch<R, F, I> s = _buffers.Surfaces;
+        material.Transparency.Read(_buffers.Texels, packet, out F tr, out F tg, out F tb);
+        R one = R.Of(1);
+        R index = R.FromSingle(material.IndexOfRefraction.Read(_buffers.Texels, packet));
+        R ratio = R.Select(_buffers.Inside[packet], index, one / index);
+        R dx = _buffers.DirectionX[packet], dy = _buffers.DirectionY[packet], dz = _buffers.DirectionZ[packet];
+        R nx = s.ShadingX[packet], ny = s.ShadingY[packet], nz = s.ShadingZ[packet];
+        R cosNear = R.Min(R.Max(-Lane.Dot(dx, dy, dz, nx, ny, nz), R.Zero), one);
+        R sinSquared = ratio * ratio * (one - (cosNear * cosNear));
+        R leaves = R.Less(sinSquared, one);
+        R cosFar = R.Sqrt(R.Max(one - sinSquared, R.Zero));
+        R mirrored = material.Material.Fresnel switch
         {
             FresnelModel.Dielectric => Fresnel.Dielectric(ratio, cosNear, cosFar),
             FresnelModel.Schlick => Fresnel.Schlick(ratio, cosNear, cosFar),
-            _ => 0,
+            _ => R.Zero,
         };
-        Intensity share = transparency * (float)(1 - reflected) * weight;
-        if (IsFollowed(share))
-        {
-            Vector3D refracted = (direction * ratio) + (normal * ((ratio * cosNear) - cosFar));
-            secondary.Refract(ray, new SecondaryRay(new Ray(Outside(i, -1), Unit(refracted)), share, pixel));
-        }
 
-        return transparency * (float)reflected;
+        // Total reflection: nothing leaves through the surface.
+        mirrored = R.Select(leaves, mirrored, one);
+        F through = R.ToSingle(one - mirrored), back = R.ToSingle(mirrored);
+        _refracted.SetShare(packet, tr * through, tg * through, tb * through);
+        red += tr * back;
+        green += tg * back;
+        blue += tb * back;
+        R along = (ratio * cosNear) - cosFar;
+        _refracted.SetRay(
+            packet, s, -s.Slack[packet], R.Fma(dx, ratio, nx * along), R.Fma(dy, ratio, ny * along), R.Fma(dz, ratio, nz * along));
     }
 
-    private void Reflect(Intensity share, int i, int ray, int pixel)
+    private void Reflect(int packet)
     {
-        if (!IsFollowed(share))
-        {
-            return;
-        }
+        SurfaceBatch<R, F, I> s = _buffers.Surfaces;
+        R dx = _buffers.DirectionX[packet], dy = _buffers.DirectionY[packet], dz = _buffers.DirectionZ[packet];
+        R nx = s.ShadingX[packet], ny = s.ShadingY[packet], nz = s.ShadingZ[packet];
+        R twice = R.Of(-2) * Lane.Dot(dx, dy, dz, nx, ny, nz);
+        R x = R.Fma(twice, nx, dx), y = R.Fma(twice, ny, dy), z = R.Fma(twice, nz, dz);
 
-        Vector3D direction = Direction(i), normal = Shading(i), geometric = Normal(i);
-        Vector3D mirrored = direction - (normal * (2 * Vector3D.Dot(direction, normal)));
-
-        // An interpolated normal can mirror into the surface: bend the ray back to the horizon's near side.
-        double below = Vector3D.Dot(mirrored, geometric);
-        if (below <= 0)
-        {
-            mirrored += geometric * (1e-4 - below);
-        }
-
-        secondary.Reflect(ray, new SecondaryRay(new Ray(Outside(i, 1), Unit(mirrored)), share, pixel));
+        // An interpolated normal can mirror into the surface: the ray is bent back to the near side of the horizon.
+        R gx = s.NormalX[packet], gy = s.NormalY[packet], gz = s.NormalZ[packet];
+        R above = Lane.Dot(x, y, z, gx, gy, gz);
+        R lift = R.Select(R.Less(R.Zero, above), R.Zero, R.Of(1e-4) - above);
+        _reflected.SetRay(packet, s, s.Slack[packet], R.Fma(lift, gx, x), R.Fma(lift, gy, y), R.Fma(lift, gz, z));
     }
 
     private bool IsFollowed(Intensity share)
     {
         if (share.Max >= LeastWeight)
         {
-            counters.SecondaryRays++;
+            _counters.SecondaryRays++;
             return true;
         }
 
         if (share.Max > 0)
         {
-            counters.SecondaryRaysSkipped++;
+            _counters.SecondaryRaysSkipped++;
         }
 
         return false;
     }
-
-    /// <summary>The hit point moved out of its error bound, to the viewer's side (1) or the other one (-1).</summary>
-    private Point3D Outside(int i, int side)
-    {
-        SurfaceBatch<R, F, I> s = buffers.Surfaces;
-        Point3D point = new(R.Take(s.PointX, i), R.Take(s.PointY, i), R.Take(s.PointZ, i));
-        return point + (Normal(i) * (side * R.Take(s.Slack, i)));
-    }
-
-    private Vector3D Direction(int i) => new(R.Take(buffers.DirectionX, i), R.Take(buffers.DirectionY, i), R.Take(buffers.DirectionZ, i));
-
-    private Vector3D Normal(int i)
-    {
-        SurfaceBatch<R, F, I> s = buffers.Surfaces;
-        return new Vector3D(R.Take(s.NormalX, i), R.Take(s.NormalY, i), R.Take(s.NormalZ, i));
-    }
-
-    private Vector3D Shading(int i)
-    {
-        SurfaceBatch<R, F, I> s = buffers.Surfaces;
-        return new Vector3D(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i));
-    }
-
-    private static Vector3D Unit(Vector3D v) => v / Math.Sqrt(v.LengthSquared);
-
-    private static Intensity At(F red, F green, F blue, int lane) => new((float)F.Get(red, lane), (float)F.Get(green, lane), (float)F.Get(blue, lane));
 }
