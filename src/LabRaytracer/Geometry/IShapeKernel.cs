@@ -25,6 +25,9 @@ internal interface IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
 
+    /// <summary>Tells whether the kernel has a quick look of its own; others are looked at by the sphere around their box. Default: no.</summary>
+    static virtual bool HasQuickLook => false;
+
     /// <summary>
     /// A quick look in floats: false only where <see cref="Intersect"/> is certain to find no hit, whatever its precision.
     /// It decides what need not be computed, never what is hit.

@@ -13,6 +13,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
 {
     private readonly List<double> _described = [];
     private readonly List<int> _numberOfMember = [];
+    private readonly List<double> _looks = [];
     private R* _numbers;
     private F* _singles;
 
@@ -25,6 +26,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             _described.Add(value);
         }
 
+        _looks.AddRange(K.HasQuickLook ? numbers : BoundingSphere(shape.Bounds.Transformed(transform)));
         _numberOfMember.Add(number);
         return _numberOfMember.Count - 1;
     }
@@ -37,10 +39,10 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             R.Put(_numbers, k, _described[k]);
         }
 
-        _singles = memory.Column<F>(_described.Count, F.Width);
-        for (int k = 0; k < _described.Count; k++)
+        _singles = memory.Column<F>(_looks.Count, F.Width);
+        for (int k = 0; k < _looks.Count; k++)
         {
-            F.Put(_singles, k, _described[k]);
+            F.Put(_singles, k, _looks[k]);
         }
     }
 
@@ -113,7 +115,20 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         }
     }
 
-    /// <summary>The quick look, where it is quicker than the kernel itself.</summary>
-    private bool MayHit(int member, RayBatch<R, F, I> rays, int packet) =>
-        R.IsSingle || F.Any(K.MayHit(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays.LoadSingle(packet)));
+    /// <summary>Centre and radius of a sphere around a box; the radius is infinite for unbounded boxes.</summary>
+    private static ReadOnlySpan<double> BoundingSphere(Bounds box)
+    {
+        if (!box.IsFinite)
+        {
+            return new double[] { 0, 0, 0, double.PositiveInfinity };
+        }
+
+        Vector3D half = (box.Max - box.Min) / 2;
+        Point3D center = box.Min + half;
+        return new double[] { center.X, center.Y, center.Z, half.Length * (1 + 1e-6) };
+    }
+
+    private bool MayHit(int member, RayBatch<R, F, I> rays, int packet) => K.HasQuickLook
+        ? F.Any(K.MayHit(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays.LoadSingle(packet)))
+        : F.Any(SphereKernel.MayHit(new SharedParameters<F, F, I>(_singles, member * SphereKernel.ParameterCount), rays.LoadSingle(packet)));
 }
