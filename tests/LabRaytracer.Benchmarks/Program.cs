@@ -1,1 +1,9 @@
+using LabRaytracer.Benchmarks;
+
+if (args.Length > 0 && args[0] == "scenes")
+{
+    return SceneCommand.Run(args[1..]);
+}
+
 BenchmarkDotNet.Running.BenchmarkSwitcher.FromAssembly(System.Reflection.Assembly.GetExecutingAssembly()).Run(args);
+return 0;
