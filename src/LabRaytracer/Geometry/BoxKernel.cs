@@ -9,6 +9,8 @@ internal readonly struct BoxKernel : IShapeKernel
 
     public static int ParameterCount => 6;
 
+    public static bool IsConvex => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Box box = (Box)shape;

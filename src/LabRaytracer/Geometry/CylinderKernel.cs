@@ -9,6 +9,8 @@ internal readonly struct CylinderKernel : IShapeKernel
 
     public static int ParameterCount => 5;
 
+    public static bool IsConvex => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Cylinder cylinder = (Cylinder)shape;

@@ -11,6 +11,8 @@ internal readonly struct FlatKernel<TOutline> : IShapeKernel
 
     public static int ParameterCount => 18;
 
+    public static bool IsConvex => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         FlatFrame frame = ((IFlatShape)shape).Frame;

@@ -25,6 +25,11 @@ internal interface IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
 
+    /// <summary>
+    /// Tells whether the surface is convex: a ray that leaves it on its outer side never meets it again, so it need not be looked at. Default: no.
+    /// </summary>
+    static virtual bool IsConvex => false;
+
     /// <summary>Tells whether the kernel has a quick look of its own; others are looked at by the sphere around their box. Default: no.</summary>
     static virtual bool HasQuickLook => false;
 

@@ -69,10 +69,11 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
     {
         SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
+        int number = _numberOfMember[member];
         for (int packet = first; packet < end; packet++)
         {
             R limit = rays.Limit[packet];
-            if (!R.Any(R.Less(R.Zero, limit)) || !MayHit(member, rays, packet))
+            if (!R.Any(R.Less(R.Zero, limit)) || (K.IsConvex && I.AllEqual(rays.Source[packet], number)) || !MayHit(member, rays, packet))
             {
                 continue;
             }

@@ -18,6 +18,9 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Largest distance of interest, excluded; below 0 for a ray that is off or (shadow rays) blocked.</summary>
     public readonly R* Limit;
 
+    /// <summary>Shadow rays only: number of the object whose outer side the ray leaves, or -1.</summary>
+    public readonly I* Source;
+
     /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow"/>. In float lanes the rays themselves.</summary>
     private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
 
@@ -30,6 +33,8 @@ internal sealed unsafe class RayBatch<R, F, I>
         DirectionY = memory.Column<R>(capacity, R.Width);
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Limit = memory.Column<R>(capacity, R.Width);
+        Source = memory.Column<I>(capacity, I.Width);
+        new Span<I>(Source, (capacity + I.Width - 1) / I.Width).Fill(I.Of(-1));
         _originX = R.IsSingle ? (F*)OriginX : memory.Column<F>(capacity, R.Width);
         _originY = R.IsSingle ? (F*)OriginY : memory.Column<F>(capacity, R.Width);
         _originZ = R.IsSingle ? (F*)OriginZ : memory.Column<F>(capacity, R.Width);

@@ -9,6 +9,8 @@ internal readonly struct SphereKernel : IShapeKernel
 
     public static int ParameterCount => 4;
 
+    public static bool IsConvex => true;
+
     public static bool HasQuickLook => true;
 
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)

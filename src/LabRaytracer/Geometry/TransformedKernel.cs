@@ -10,6 +10,8 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
 {
     public static int ParameterCount => WorldSpace.ParameterCount + K.ParameterCount;
 
+    public static bool IsConvex => K.IsConvex;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         WorldSpace.Describe(transform, numbers);

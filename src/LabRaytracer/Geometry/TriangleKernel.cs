@@ -9,6 +9,8 @@ internal readonly struct TriangleKernel : IShapeKernel
 
     public static int ParameterCount => 27;
 
+    public static bool IsConvex => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Triangle triangle = (Triangle)shape;

@@ -82,7 +82,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     {
         CompiledMaterial material = key.Material;
         key.Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | ViewStage.Needs(_options.View));
-        ViewerStage.Run(rays, order, count, _buffers);
+        ViewerStage.Run(rays, _hits, order, count, _buffers);
         Counters.Charge(RenderStage.Surface);
         if (_options.View is RenderView.Color or RenderView.Nan)
         {

@@ -5,10 +5,11 @@ internal static unsafe class ViewerStage
 {
     /// <summary>Collects the rays' directions; normals of hits from inside are reversed and the hits marked.</summary>
     /// <param name="rays">The rays that hit.</param>
+    /// <param name="hits">Their hits.</param>
     /// <param name="order">Their numbers, padded to whole groups of lanes.</param>
     /// <param name="count">How many.</param>
-    /// <param name="buffers">Surface points; receives directions and the inside mask.</param>
-    public static void Run<R, F, I>(RayBatch<R, F, I> rays, int* order, int count, ShadingBuffers<R, F, I> buffers)
+    /// <param name="buffers">Surface points; receives directions, the inside mask, and where shadow rays will come from.</param>
+    public static void Run<R, F, I>(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, ShadingBuffers<R, F, I> buffers)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -24,6 +25,7 @@ internal static unsafe class ViewerStage
             R nx = s.NormalX[packet], ny = s.NormalY[packet], nz = s.NormalZ[packet];
             R inside = R.Less(R.Zero, Lane.Dot(nx, ny, nz, dx, dy, dz));
             buffers.Inside[packet] = inside;
+            buffers.ShadowRays.Source[packet] = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
             if (R.Any(inside))
             {
                 s.NormalX[packet] = R.Select(inside, -nx, nx);
