@@ -57,7 +57,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     public CompiledMaterial Background { get; }
 
     /// <summary>Lamps with a direction.</summary>
-    public IReadOnlyList<Light> Lights { get; }
+    public Light[] Lights { get; }
 
     /// <summary>Sum of all ambient light.</summary>
     public Intensity Ambient { get; }
