@@ -51,9 +51,9 @@ internal sealed class RenderVerb
         string output = parsed.GetValue(_output) ?? PictureOutput.DefaultPath(scene.Output.FileName ?? $"{Path.GetFileNameWithoutExtension(scenePath)}.png");
         string? statsFile = parsed.GetValue(_statsJson);
         PictureOutput.Check(output, statsFile);
-        RenderResult result = SceneInput.Render(scene, Path.GetFileName(scenePath), options, console, stop);
-        PictureOutput.Save(result.Picture, output, PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(scenePath, options)), stop);
-        StatisticsReport report = new(scenePath, output, options, result.Statistics) { LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds };
+        PictureSaveOptions save = PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(scenePath, options));
+        RenderStatistics statistics = SceneInput.Render(scene, Path.GetFileName(scenePath), options, output, save, console, stop);
+        StatisticsReport report = new(scenePath, output, options, statistics) { LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds };
         if (statsFile is not null)
         {
             AtomicFile.Write(statsFile, report.WriteJson);
@@ -65,11 +65,12 @@ internal sealed class RenderVerb
         }
         else if (!parsed.GetValue(_quiet))
         {
+            PixelRectangle area = Renderer.Area(options);
             console.Output.WriteLine(string.Create(
-                CultureInfo.InvariantCulture, $"{output}: {result.Picture.Width} x {result.Picture.Height} pixels in {clock.Elapsed.TotalSeconds:0.00} s"));
+                CultureInfo.InvariantCulture, $"{output}: {area.Width} x {area.Height} pixels in {clock.Elapsed.TotalSeconds:0.00} s"));
         }
 
-        StatisticsReport.WarnOfNotFinite(result.Statistics, console.Error);
+        StatisticsReport.WarnOfNotFinite(statistics, console.Error);
         return ExitCode.Done;
     }
 }

@@ -18,8 +18,8 @@ internal static class WelcomeVerb
             string path = SampleScenes.File($"{name}.json"), output = PictureOutput.DefaultPath($"{name}.png");
             LoadedScene scene = SceneInput.Load(path);
             PictureOutput.Check(output);
-            RenderResult result = SceneInput.Render(scene, name, scene.RenderOptions, console, stop);
-            PictureOutput.Save(result.Picture, output, PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(path, scene.RenderOptions)), stop);
+            PictureSaveOptions save = PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(path, scene.RenderOptions));
+            SceneInput.Render(scene, name, scene.RenderOptions, output, save, console, stop);
             console.Output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {SceneDescription.Read(path)} ({clock.Elapsed.TotalSeconds:0.00} s)"));
         }
 

@@ -25,44 +25,25 @@ public static class Renderer
     internal static RenderResult Render(Scene scene, RenderOptions options, int laneWidth, IProgress<double>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(scene);
-        return (options.Precision, laneWidth) switch
-        {
-            (Precision.Double, 16) => Render<Double16, Float16, Int16>(scene, options, progress, cancellation),
-            (Precision.Double, 8) => Render<Double8, Float8, Int8>(scene, options, progress, cancellation),
-            (Precision.Double, 4) => Render<Double4, Float4, Int4>(scene, options, progress, cancellation),
-            (Precision.Double, _) => Render<Double1, Float1, Int1>(scene, options, progress, cancellation),
-            (_, 16) => Render<Float16, Float16, Int16>(scene, options, progress, cancellation),
-            (_, 8) => Render<Float8, Float8, Int8>(scene, options, progress, cancellation),
-            (_, 4) => Render<Float4, Float4, Int4>(scene, options, progress, cancellation),
-            _ => Render<Float1, Float1, Int1>(scene, options, progress, cancellation),
-        };
-    }
-
-    private static RenderResult Render<R, F, I>(Scene scene, RenderOptions options, IProgress<double>? progress, CancellationToken cancellation)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I>
-    {
         PixelRectangle area = Area(options);
         cancellation.ThrowIfCancellationRequested();
-        long start = Stopwatch.GetTimestamp();
-        using CompiledScene<R, F, I> compiled = new(scene, options.Filter, options.Threads);
-        RenderStatistics statistics = new()
-        {
-            PrepareSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds,
-            Textures = compiled.Textures.Count,
-            GeometryBytes = compiled.Bytes,
-            LaneWidth = R.Width,
-        };
         Picture picture = new(area.Width, area.Height);
-        start = Stopwatch.GetTimestamp();
-        new TileLoop<R, F, I>(compiled, options, area, progress, cancellation).Run(picture, statistics);
-        statistics.RenderSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
-        GC.KeepAlive(scene);
-        return new RenderResult(picture, statistics);
+        return new RenderResult(picture, Render(scene, options, laneWidth, new WholeTarget(picture, area.Y), progress, cancellation));
     }
 
-    private static PixelRectangle Area(RenderOptions options)
+    /// <summary>Renders and hands over finished bands of rows from the top: memory does not grow with the height of the picture.</summary>
+    /// <param name="scene">The scene; not edited meanwhile.</param>
+    /// <param name="options">How.</param>
+    /// <param name="sink">Gets the bands.</param>
+    /// <param name="progress">As for a whole picture.</param>
+    /// <param name="cancellation">Stops the render between two tiles.</param>
+    internal static RenderStatistics Render(
+        Scene scene, RenderOptions options, IBandSink sink, IProgress<double>? progress = null, CancellationToken cancellation = default) =>
+        Render(scene, options, LaneWidth.Best, new BandTarget(Area(options), sink, options.Threads), progress, cancellation);
+
+    /// <summary>The part of the picture that is rendered.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The crop lies outside the picture.</exception>
+    internal static PixelRectangle Area(RenderOptions options)
     {
         PixelRectangle whole = new(0, 0, options.Width, options.Height);
         if (options.Crop is not { } crop)
@@ -75,5 +56,42 @@ public static class Renderer
         return isInside
             ? crop
             : throw new ArgumentOutOfRangeException(nameof(options), crop, $"The crop must lie inside the picture of {options.Width} x {options.Height} pixels.");
+    }
+
+    private static RenderStatistics Render(
+        Scene scene, RenderOptions options, int laneWidth, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation) =>
+        (options.Precision, laneWidth) switch
+        {
+            (Precision.Double, 16) => Render<Double16, Float16, Int16>(scene, options, target, progress, cancellation),
+            (Precision.Double, 8) => Render<Double8, Float8, Int8>(scene, options, target, progress, cancellation),
+            (Precision.Double, 4) => Render<Double4, Float4, Int4>(scene, options, target, progress, cancellation),
+            (Precision.Double, _) => Render<Double1, Float1, Int1>(scene, options, target, progress, cancellation),
+            (_, 16) => Render<Float16, Float16, Int16>(scene, options, target, progress, cancellation),
+            (_, 8) => Render<Float8, Float8, Int8>(scene, options, target, progress, cancellation),
+            (_, 4) => Render<Float4, Float4, Int4>(scene, options, target, progress, cancellation),
+            _ => Render<Float1, Float1, Int1>(scene, options, target, progress, cancellation),
+        };
+
+    private static RenderStatistics Render<R, F, I>(
+        Scene scene, RenderOptions options, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        cancellation.ThrowIfCancellationRequested();
+        long start = Stopwatch.GetTimestamp();
+        using CompiledScene<R, F, I> compiled = new(scene, options.Filter, options.Threads);
+        RenderStatistics statistics = new()
+        {
+            PrepareSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds,
+            Textures = compiled.Textures.Count,
+            GeometryBytes = compiled.Bytes,
+            LaneWidth = R.Width,
+        };
+        start = Stopwatch.GetTimestamp();
+        new TileLoop<R, F, I>(compiled, options, Area(options), progress, cancellation).Run(target, statistics);
+        statistics.RenderSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        GC.KeepAlive(scene);
+        return statistics;
     }
 }

@@ -13,18 +13,18 @@ internal sealed class TileLoop<R, F, I>(
     private int _next;
     private int _finished;
 
-    /// <summary>Renders all tiles into a picture and adds up the workers' counts.</summary>
-    public void Run(Picture picture, RenderStatistics statistics)
+    /// <summary>Renders all tiles into a target and adds up the workers' counts.</summary>
+    public void Run(ITileTarget target, RenderStatistics statistics)
     {
         double[] stageSeconds = new double[Enum.GetValues<RenderStage>().Length];
         int workers = Math.Min(options.Threads, _columns * _rows);
         if (workers == 1)
         {
-            Work(picture, statistics, stageSeconds);
+            Work(target, statistics, stageSeconds);
         }
         else
         {
-            RunParallel(workers, () => Work(picture, statistics, stageSeconds));
+            RunParallel(workers, () => Work(target, statistics, stageSeconds));
         }
 
         statistics.StageSeconds = Enum.GetValues<RenderStage>().ToDictionary(stage => stage.ToString(), stage => stageSeconds[(int)stage]);
@@ -43,13 +43,27 @@ internal sealed class TileLoop<R, F, I>(
     }
 
     /// <summary>One worker: takes the next tile until none is left.</summary>
-    private void Work(Picture picture, RenderStatistics statistics, double[] stageSeconds)
+    private void Work(ITileTarget target, RenderStatistics statistics, double[] stageSeconds)
     {
         using TileWorker<R, F, I> worker = new(scene, options, area);
-        for (int tile = Interlocked.Increment(ref _next) - 1; tile < _columns * _rows; tile = Interlocked.Increment(ref _next) - 1)
+        try
         {
-            cancellation.ThrowIfCancellationRequested();
-            Render(worker, tile, picture);
+            for (int tile = Interlocked.Increment(ref _next) - 1; tile < _columns * _rows; tile = Interlocked.Increment(ref _next) - 1)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                if (target.Open(tile / _columns) is not { } part)
+                {
+                    return;
+                }
+
+                Render(worker, tile, part);
+                target.Close(tile / _columns);
+            }
+        }
+        catch
+        {
+            target.Stop();
+            throw;
         }
 
         lock (_lock)
@@ -58,12 +72,12 @@ internal sealed class TileLoop<R, F, I>(
         }
     }
 
-    private void Render(TileWorker<R, F, I> worker, int tile, Picture picture)
+    private void Render(TileWorker<R, F, I> worker, int tile, PicturePart part)
     {
         int x = area.X + ((tile % _columns) * TileWorker<R, F, I>.Side), y = area.Y + ((tile / _columns) * TileWorker<R, F, I>.Side);
         try
         {
-            worker.Render(x, y, picture);
+            worker.Render(x, y, part.Pixels, part.Top);
         }
         catch (Exception cause)
         {

@@ -54,7 +54,11 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     public WorkerCounters Counters => _tracer.Counters;
 
     /// <summary>Renders the tile whose top-left pixel is (x, y) of the whole picture.</summary>
-    public void Render(int x, int y, Picture picture)
+    /// <param name="x">Column.</param>
+    /// <param name="y">Row.</param>
+    /// <param name="picture">Gets the pixels; as wide as the rendered part.</param>
+    /// <param name="top">Row of the whole picture that is its row 0.</param>
+    public void Render(int x, int y, Picture picture, int top)
     {
         Counters.Start();
         for (int sample = 0; sample < _options.Samples; sample++)
@@ -73,7 +77,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
             }
         }
 
-        Write(x, y, picture);
+        Write(x, y, picture, top);
         Counters.Charge(RenderStage.Combine);
     }
 
@@ -208,7 +212,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     }
 
     /// <summary>Means of the samples into the picture; what is not finite is counted and set to black.</summary>
-    private void Write(int x, int y, Picture picture)
+    private void Write(int x, int y, Picture picture, int top)
     {
         _colors.Average(_options.Samples);
         int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
@@ -216,7 +220,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         bool isPlain = _colors.IsFinite && _options.View != RenderView.Nan;
         for (int row = 0; row < height; row++)
         {
-            Span<Intensity> pixels = picture.Row(y - _area.Y + row).Slice(x - _area.X, width);
+            Span<Intensity> pixels = picture.Row(y - top + row).Slice(x - _area.X, width);
             for (int first = 0; first < width; first += Block)
             {
                 _colors.Copy(Number(first, row), pixels.Slice(first, Math.Min(Block, width - first)));

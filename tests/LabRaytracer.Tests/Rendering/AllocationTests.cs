@@ -60,7 +60,7 @@ public sealed class AllocationTests
         {
             for (int x = 0; x < Side; x += TileWorker<Double8, Float8, Int8>.Side)
             {
-                worker.Render(x, y, picture);
+                worker.Render(x, y, picture, 0);
             }
         }
     }

@@ -8,8 +8,11 @@ namespace LabRaytracer;
 /// The rows are cut into bands of a fixed height; the bands are filtered and compressed in parallel, each ending at a byte boundary
 /// (a sync flush), so that they can be joined into one zlib stream. The bytes do not depend on the number of threads nor on how rows are handed over.
 /// </remarks>
-internal sealed class PngRowWriter
+internal sealed class PngRowWriter : IBandSink
 {
+    /// <summary>Rows of a band are a multiple of this: the height of a tile of the renderer, so that a row of tiles never lies in two bands.</summary>
+    public const int RowStep = 32;
+
     private const int BandBytes = 1 << 18;
     private const int MaxChunkBytes = 1 << 20;
     private readonly Stream stream;
@@ -29,7 +32,7 @@ internal sealed class PngRowWriter
         (this.stream, this.width, this.height) = (stream, width, height);
         RowEncoder encoder = new(options.Encoding, options.BitDepth, options.ToneMapping);
         compressor = new PngBandCompressor(encoder, width, options.PngCompression);
-        bandRows = Math.Max(1, BandBytes / (width * encoder.BytesPerPixel));
+        bandRows = RowStep * (int)Math.Max(1, BandBytes / ((long)RowStep * width * encoder.BytesPerPixel));
         stream.Write(PngCodec.Signature);
         Span<byte> header = stackalloc byte[13];
         header.Clear();
@@ -43,6 +46,22 @@ internal sealed class PngRowWriter
         {
             WriteText(key, text);
         }
+    }
+
+    /// <inheritdoc/>
+    public int BandRows => bandRows;
+
+    /// <inheritdoc/>
+    /// <remarks>Not to be mixed with <see cref="WriteRows"/>.</remarks>
+    public Action Prepare(ReadOnlySpan<Intensity> rows)
+    {
+        int count = rows.Length / width;
+        PngBand band = compressor.Compress(rows);
+        return () =>
+        {
+            WriteBand(band);
+            rowsWritten += count;
+        };
     }
 
     /// <summary>Takes the next rows; a multiple of the width.</summary>
