@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Help;
-using LabRaytracer;
 
 namespace RenderScene;
 
@@ -25,7 +24,7 @@ internal static class App
         }
         catch (Exception failure)
         {
-            return Explain(failure, console.Error);
+            return FailureReport.Write(failure, console.Error);
         }
     }
 
@@ -50,26 +49,5 @@ internal static class App
         root.Directives.Clear();
         root.SetAction(_ => WelcomeVerb.Run(console, stop));
         return root;
-    }
-
-    /// <summary>Says in one or a few lines what went wrong; never with a stack trace.</summary>
-    private static int Explain(Exception failure, TextWriter error)
-    {
-        while (failure is AggregateException { InnerExceptions.Count: > 0 } several)
-        {
-            failure = several.InnerExceptions[0];
-        }
-
-        (int code, string message) = failure switch
-        {
-            OperationCanceledException => (ExitCode.Cancelled, "cancelled; files that were there before are as they were"),
-            UsageException => (ExitCode.Usage, failure.Message),
-            FileNotFoundException missing => (ExitCode.BadInput, $"there is no file '{missing.FileName}'; check its name and the folder you are in."),
-            SceneFileException or PictureFormatException or InputException or IOException or UnauthorizedAccessException => (ExitCode.BadInput, failure.Message),
-            OutOfMemoryException => (ExitCode.BadInput, "there is not enough memory; make the picture or the scene smaller"),
-            _ => (ExitCode.BadInput, $"unexpected failure: {failure.Message}"),
-        };
-        error.WriteLine(code == ExitCode.Cancelled ? message : $"error: {message}");
-        return code;
     }
 }

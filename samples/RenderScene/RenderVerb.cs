@@ -20,6 +20,13 @@ internal sealed class RenderVerb
 
     private readonly Option<bool> _allowPath = new("--allow-path") { Description = "Let the scene name files outside its own folder." };
 
+    private readonly Option<bool> _preview = new("--preview") { Description = "Show the picture in the terminal too, small; never in a pipe, nor with NO_COLOR or TERM=dumb." };
+
+    private readonly Option<bool> _watch = new("--watch")
+    {
+        Description = "Render again whenever the scene file, or a picture or mesh that it names, changes; mistakes are printed and the next change is waited for. Ctrl-C ends.",
+    };
+
     private readonly RenderSettings _settings = new();
 
     /// <summary>The verb for the command line.</summary>
@@ -27,7 +34,7 @@ internal sealed class RenderVerb
     {
         RenderVerb verb = new();
         Command command = new("render", "Renders a scene file into a picture file.") { verb._scene, verb._output };
-        foreach (Option option in verb._settings.All.Concat([verb._allowPath, verb._stats, verb._statsJson, verb._quiet]))
+        foreach (Option option in verb._settings.All.Concat([verb._allowPath, verb._stats, verb._statsJson, verb._preview, verb._watch, verb._quiet]))
         {
             command.Options.Add(option);
         }
@@ -38,23 +45,80 @@ internal sealed class RenderVerb
 
     private int Run(ParseResult parsed, AppConsole console, CancellationToken stop)
     {
-        string scenePath = parsed.GetRequiredValue(_scene);
         if (parsed.GetValue(_quiet))
         {
             console = console with { Progress = ProgressStyle.None };
         }
 
+        WatchedFiles files = new();
+        if (parsed.GetValue(_watch))
+        {
+            return Watch(parsed, console, files, stop);
+        }
+
+        RenderOnce(parsed, console, files, stop);
+        return ExitCode.Done;
+    }
+
+    /// <summary>Renders, and again after every change, until it is stopped.</summary>
+    private int Watch(ParseResult parsed, AppConsole console, WatchedFiles files, CancellationToken stop)
+    {
+        bool isFirst = true;
+        do
+        {
+            try
+            {
+                RenderOnce(parsed, console, files, stop);
+            }
+            catch (Exception failure) when (!stop.IsCancellationRequested && !(isFirst && failure is UsageException))
+            {
+                FailureReport.Write(failure, console.Error);
+            }
+
+            isFirst = false;
+            if (!parsed.GetValue(_quiet))
+            {
+                console.Error.WriteLine(files.Count == 1 ? "watching the scene file; Ctrl-C ends" : string.Create(
+                    CultureInfo.InvariantCulture, $"watching the scene and {files.Count - 1} of its files; Ctrl-C ends"));
+            }
+        }
+        while (files.WaitForChange(stop));
+        return ExitCode.Cancelled;
+    }
+
+    /// <summary>Renders the scene as it is now.</summary>
+    /// <param name="parsed">The command line.</param>
+    /// <param name="console">Where to report.</param>
+    /// <param name="files">Receives the scene file and the files that it names, each in the state before it is read.</param>
+    /// <param name="stop">Stops it.</param>
+    private void RenderOnce(ParseResult parsed, AppConsole console, WatchedFiles files, CancellationToken stop)
+    {
+        string scenePath = parsed.GetRequiredValue(_scene);
+        files.Clear();
+        files.Add(scenePath);
         Stopwatch clock = Stopwatch.StartNew();
-        LoadedScene scene = SceneInput.Load(scenePath, new SceneLoadOptions { AllowOutsidePaths = parsed.GetValue(_allowPath) });
+        LoadedScene scene = SceneInput.Load(scenePath, new SceneLoadOptions { AllowOutsidePaths = parsed.GetValue(_allowPath), FileNamed = files.Add });
         double loadSeconds = clock.Elapsed.TotalSeconds;
         RenderOptions options = _settings.Apply(parsed, scene.RenderOptions);
         string output = parsed.GetValue(_output) ?? PictureOutput.DefaultPath(scene.Output.FileName ?? $"{Path.GetFileNameWithoutExtension(scenePath)}.png");
-        string? statsFile = parsed.GetValue(_statsJson);
-        PictureOutput.Check(output, statsFile);
+
+        // A scene may show an earlier picture of itself: writing it is no change to wait for.
+        files.Remove(output);
+        PictureOutput.Check(output, parsed.GetValue(_statsJson));
         PictureSaveOptions save = PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(scenePath, options));
         RenderStatistics statistics = SceneInput.Render(scene, Path.GetFileName(scenePath), options, output, save, console, stop);
-        StatisticsReport report = new(scenePath, output, options, statistics) { LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds };
-        if (statsFile is not null)
+        if (parsed.GetValue(_preview))
+        {
+            TerminalPreview.Show(output, console);
+        }
+
+        Report(parsed, console, new StatisticsReport(scenePath, output, options, statistics) { LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds });
+        StatisticsReport.WarnOfNotFinite(statistics, console.Error);
+    }
+
+    private void Report(ParseResult parsed, AppConsole console, StatisticsReport report)
+    {
+        if (parsed.GetValue(_statsJson) is { } statsFile)
         {
             AtomicFile.Write(statsFile, report.WriteJson);
         }
@@ -65,12 +129,7 @@ internal sealed class RenderVerb
         }
         else if (!parsed.GetValue(_quiet))
         {
-            PixelRectangle area = Renderer.Area(options);
-            console.Output.WriteLine(string.Create(
-                CultureInfo.InvariantCulture, $"{output}: {area.Width} x {area.Height} pixels in {clock.Elapsed.TotalSeconds:0.00} s"));
+            report.WriteLine(console.Output);
         }
-
-        StatisticsReport.WarnOfNotFinite(statistics, console.Error);
-        return ExitCode.Done;
     }
 }

@@ -48,6 +48,13 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
         }
     }
 
+    /// <summary>One line for people.</summary>
+    public void WriteLine(TextWriter writer)
+    {
+        PixelRectangle area = Renderer.Area(options);
+        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {area.Width} x {area.Height} pixels in {TotalSeconds:0.00} s"));
+    }
+
     /// <summary>A table for people.</summary>
     public void WriteText(TextWriter writer)
     {

@@ -35,6 +35,7 @@ internal sealed class SceneFolder(string root, SceneLoadOptions options)
             return $"the file {Wording.Quote(name)} lies outside the scene's folder";
         }
 
+        options.FileNamed?.Invoke(path);
         return File.Exists(path) ? null
             : Directory.Exists(path) ? $"{Wording.Quote(name)} is a folder"
             : $"the file {Wording.Quote(name)} does not exist{Wording.Suggestion(Path.GetFileName(name), Neighbours(path))}";

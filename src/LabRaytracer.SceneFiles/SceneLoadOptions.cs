@@ -16,6 +16,12 @@ public sealed class SceneLoadOptions
     /// </summary>
     public bool AllowOutsidePaths { get; init; }
 
+    /// <summary>
+    /// Told the absolute path of every file that the scene, or a file of it, names, before the file is read and even if it does not exist: so that a program can
+    /// wait for changes of a scene with mistakes too. Called by the loading thread; null (default) for nobody.
+    /// </summary>
+    public Action<string>? FileNamed { get; init; }
+
     /// <summary>Largest scene file, bytes, [1, 2147483591]. Default: 256 MiB.</summary>
     public long MaxBytes
     {
