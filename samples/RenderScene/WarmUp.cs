@@ -1,0 +1,44 @@
+using LabRaytracer;
+
+namespace RenderScene;
+
+/// <summary>Lets the runtime compile the renderer on another processor while the command line and the scene file are read.</summary>
+internal static class WarmUp
+{
+    /// <summary>Renders one tile of what most scenes have, if a render is asked for and there are two processors; failures do not matter.</summary>
+    /// <param name="arguments">The words after the program's name.</param>
+    public static void Start(IReadOnlyList<string> arguments)
+    {
+        if (Environment.ProcessorCount > 1 && arguments is [] or ["render", _, ..])
+        {
+            Precision precision = arguments.Contains("float") || arguments.Contains("--precision=float") ? Precision.Single : Precision.Double;
+            new Thread(() => Render(precision)) { IsBackground = true }.Start();
+        }
+    }
+
+    private static void Render(Precision precision)
+    {
+        try
+        {
+            RenderOptions options = new() { Width = 32, Height = 32, Threads = 1, Precision = precision };
+            PngRowWriter writer = new(Stream.Null, options.Width, options.Height, PictureSaveOptions.Default);
+            Renderer.Render(Ball(), options, writer);
+            writer.Finish();
+        }
+        catch (Exception)
+        {
+            // The real render will say it, if it matters there.
+        }
+    }
+
+    private static Scene Ball()
+    {
+        Material material = Material.Matte(Texture.FromPicture(new Picture(2, 2)));
+        Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(0, 1, 5), Point3D.Origin, 40) };
+        scene.Add(new InfinitePlane(new Point3D(0, -1, 0), Vector3D.UnitY), material);
+        scene.Add(new Sphere(), material);
+        scene.Lights.Add(new AmbientLight(Intensity.White));
+        scene.Lights.Add(new PointLight(new Point3D(4, 6, 5), Intensity.White));
+        return scene;
+    }
+}
