@@ -6,13 +6,13 @@ namespace RenderScene;
 /// <summary>The options that change how a scene is rendered.</summary>
 internal sealed class RenderSettings
 {
-    private static readonly Dictionary<string, Precision> s_precisions = new() { ["double"] = Precision.Double, ["float"] = Precision.Single };
+    private static readonly Dictionary<string, object> s_precisions = new() { ["double"] = Precision.Double, ["float"] = Precision.Single };
 
-    private static readonly Dictionary<string, TextureFilter> s_filters = Words<TextureFilter>();
+    private static readonly Dictionary<string, object> s_filters = Words(typeof(TextureFilter));
 
-    private static readonly Dictionary<string, SamplePattern> s_patterns = Words<SamplePattern>();
+    private static readonly Dictionary<string, object> s_patterns = Words(typeof(SamplePattern));
 
-    private static readonly Dictionary<string, RenderView> s_views = Words<RenderView>();
+    private static readonly Dictionary<string, object> s_views = Words(typeof(RenderView));
 
     private readonly Option<string?> _size = new("--size") { HelpName = "WxH", Description = "Size of the picture, pixels, such as 1280x720." };
 
@@ -52,13 +52,13 @@ internal sealed class RenderSettings
             Width = size[0],
             Height = size[1],
             Samples = Given(parsed, _samples, Samples, scene.Samples),
-            Pattern = Given(parsed, _pattern, text => OptionText.Word("--pattern", text, s_patterns), scene.Pattern),
+            Pattern = Given(parsed, _pattern, text => (SamplePattern)OptionText.Word("--pattern", text, s_patterns), scene.Pattern),
             Seed = Given(parsed, _seed, text => OptionText.Integer("--seed", text, int.MinValue, int.MaxValue), scene.Seed),
             Threads = Given(parsed, _threads, text => OptionText.Integer("--threads", text, 1, 1024), scene.Threads),
-            Precision = Given(parsed, _precision, text => OptionText.Word("--precision", text, s_precisions), scene.Precision),
+            Precision = Given(parsed, _precision, text => (Precision)OptionText.Word("--precision", text, s_precisions), scene.Precision),
             MaxDepth = scene.MaxDepth,
-            Filter = Given(parsed, _filter, text => OptionText.Word("--filter", text, s_filters), scene.Filter),
-            View = Given(parsed, _view, text => OptionText.Word("--view", text, s_views), scene.View),
+            Filter = Given(parsed, _filter, text => (TextureFilter?)OptionText.Word("--filter", text, s_filters), scene.Filter),
+            View = Given(parsed, _view, text => (RenderView)OptionText.Word("--view", text, s_views), scene.View),
             Crop = Given(parsed, _crop, text => Crop(text, size[0], size[1]), scene.Crop),
         };
     }
@@ -93,6 +93,7 @@ internal sealed class RenderSettings
         return option;
     }
 
-    private static Dictionary<string, T> Words<T>()
-        where T : struct, Enum => Enum.GetValues<T>().ToDictionary(value => value.ToString().ToLowerInvariant());
+    // Not generic: the runtime would compile each generic method again for every enumeration, before any work.
+    private static Dictionary<string, object> Words(Type type) =>
+        Enum.GetValues(type).Cast<object>().ToDictionary(value => value.ToString()!.ToLowerInvariant());
 }

@@ -4,12 +4,17 @@ using System.Text.Json.Nodes;
 namespace LabRaytracer;
 
 /// <summary>One of a few words, each with its meaning.</summary>
-internal sealed class ChoiceFormat<T>(params (string Word, T Value)[] choices) : Format<T>
+/// <param name="words">The words.</param>
+/// <param name="values">The meanings, in the same order.</param>
+internal sealed class ChoiceFormat<T>(string[] words, T[] values) : Format<T>
     where T : notnull
 {
-    public override string Allowed => Wording.List(Words);
+    public ChoiceFormat(params (string Word, T Value)[] choices)
+        : this([.. choices.Select(choice => choice.Word)], [.. choices.Select(choice => choice.Value)])
+    {
+    }
 
-    private IEnumerable<string> Words => choices.Select(choice => choice.Word);
+    public override string Allowed => Wording.List(words);
 
     public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out T value)
     {
@@ -20,29 +25,28 @@ internal sealed class ChoiceFormat<T>(params (string Word, T Value)[] choices) :
         }
 
         string text = node.Text();
-        foreach ((string word, T meaning) in choices)
+        int choice = Array.IndexOf(words, text);
+        if (choice >= 0)
         {
-            if (word == text)
-            {
-                value = meaning;
-                return true;
-            }
+            value = values[choice];
+            return true;
         }
 
-        return reading.Mistake(node, $"unknown word {Wording.Quote(text)}{Wording.Suggestion(text, Words)}", Allowed);
+        return reading.Mistake(node, $"unknown word {Wording.Quote(text)}{Wording.Suggestion(text, words)}", Allowed);
     }
 
-    public override JsonObject Schema(SchemaBuilder schema) => new() { ["enum"] = new JsonArray([.. Words.Select(word => JsonValue.Create(word))]) };
+    public override JsonObject Schema(SchemaBuilder schema) => new() { ["enum"] = new JsonArray([.. words.Select(word => JsonValue.Create(word))]) };
 
-    public override JsonNode? Write(T value) => JsonValue.Create(choices.First(choice => choice.Value.Equals(value)).Word);
+    public override JsonNode? Write(T value) => JsonValue.Create(words[Array.FindIndex(values, candidate => candidate.Equals(value))]);
 }
 
 /// <summary>Words of an enumeration: its names, the first letter small.</summary>
 internal static class ChoiceFormat
 {
     /// <summary>All values of an enumeration.</summary>
+    /// <remarks>Without generic methods inside: the runtime would compile each of them again for every enumeration, before any scene is read.</remarks>
     public static ChoiceFormat<TEnum> Of<TEnum>()
-        where TEnum : struct, Enum => new([.. Enum.GetValues<TEnum>().Select(value => (Camel(value.ToString()), value))]);
+        where TEnum : struct, Enum => new(Words(typeof(TEnum)), (TEnum[])Enum.GetValues(typeof(TEnum)));
 
-    private static string Camel(string name) => char.ToLowerInvariant(name[0]) + name[1..];
+    private static string[] Words(Type type) => [.. Enum.GetNames(type).Select(name => char.ToLowerInvariant(name[0]) + name[1..])];
 }
