@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Reads triangle meshes from Wavefront OBJ files, and their materials from MTL files.</summary>
@@ -7,6 +9,8 @@ namespace LabRaytracer;
 /// </remarks>
 public static class ObjFile
 {
+    private const int LargeFile = 1 << 25;
+
     /// <summary>Reads an OBJ file. Picture files of its materials are looked for now, but decoded when a renderer needs them.</summary>
     /// <param name="path">Path of the file; MTL files and pictures are relative to its folder, and not outside it unless the options allow.</param>
     /// <param name="options">How; null for the defaults.</param>
@@ -26,6 +30,21 @@ public static class ObjFile
     /// <exception cref="SceneFileException">A file cannot be read, or has mistakes.</exception>
     internal static ObjScene Load(string path, string shownPath, SceneFolder folder, bool useMaterials)
     {
+        (ObjReader lines, IReadOnlyDictionary<string, Material> materials, SceneSourceMap map, int bytes) = ReadLines(path, shownPath, folder, useMaterials);
+        if (bytes > LargeFile)
+        {
+            // The text is of no use any more: without it, the meshes do not come on top of it.
+            GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);
+        }
+
+        return new ObjScene(ObjMeshes.Make(lines, materials), materials, map);
+    }
+
+    // A method of its own, not part of its caller: when it has returned, nothing holds the text.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static (ObjReader Lines, IReadOnlyDictionary<string, Material> Materials, SceneSourceMap Map, int Bytes) ReadLines(
+        string path, string shownPath, SceneFolder folder, bool useMaterials)
+    {
         SceneSource source = new(shownPath, TextFiles.Read(path, folder.Options.MaxMeshBytes, "mesh"));
         ObjReader lines = ObjReader.Read(source);
         MtlLibrary library = new(source, Path.GetDirectoryName(Path.GetFullPath(path)) ?? "", folder);
@@ -40,6 +59,6 @@ public static class ObjFile
         }
 
         library.ThrowIfMistaken();
-        return new ObjScene(ObjMeshes.Make(lines, library.Materials), library.Materials, library.SourceMap);
+        return (lines, library.Materials, library.SourceMap, source.Bytes.Length);
     }
 }
