@@ -84,19 +84,11 @@ public sealed class PictureDifference
         double scale = fullScale ?? largest;
         for (int i = 0; i < map.Pixels.Length && scale > 0; i++)
         {
-            map.Pixels[i] = HeatColor((float)Math.Min(1, PixelError(squaredErrors.Pixels[i]) / scale));
+            map.Pixels[i] = HeatScale.Color((float)Math.Min(1, PixelError(squaredErrors.Pixels[i]) / scale));
         }
 
         return map;
     }
 
     private static double PixelError(Intensity squared) => Math.Sqrt(((double)squared.R + squared.G + squared.B) / 3);
-
-    /// <summary>Black, blue, red, yellow, white at 0, 1/4, 1/2, 3/4, 1.</summary>
-    private static Intensity HeatColor(float heat)
-    {
-        ReadOnlySpan<Intensity> stops = [Intensity.Black, new(0, 0, 1), new(1, 0, 0), new(1, 1, 0), Intensity.White];
-        int index = Math.Min((int)(heat * 4), 3);
-        return Intensity.Lerp(stops[index], stops[index + 1], (heat * 4) - index);
-    }
 }

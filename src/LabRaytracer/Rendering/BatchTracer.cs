@@ -25,12 +25,13 @@ internal sealed unsafe class BatchTracer<R, F, I>
         _hits = new HitBatch<R, F, I>(memory, capacity);
         _groups = new HitGroups<R, F, I>(scene, memory, capacity);
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity);
-        _lights = new LightStage<R, F, I>(scene, _buffers, counters);
         _secondary = new SecondaryRays(capacity);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity);
         Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
         Pixels = new int[capacity];
+        Tally = options.View == RenderView.Cost ? new RayTally(Pixels, capacity) : null;
+        _lights = new LightStage<R, F, I>(scene, _buffers, counters, Tally);
     }
 
     /// <summary>Most rays of a batch.</summary>
@@ -48,12 +49,16 @@ internal sealed unsafe class BatchTracer<R, F, I>
     /// <summary>Pixel of each ray of the batch.</summary>
     public int[] Pixels { get; }
 
+    /// <summary>Counts rays by pixel; null if nobody asks.</summary>
+    public RayTally? Tally { get; }
+
     /// <summary>Traces a batch.</summary>
     /// <param name="rays">The rays.</param>
     /// <param name="depth">Reflections and refractions so far.</param>
     /// <param name="queue">Receives the reflected and refracted rays.</param>
     public void Trace(RayBatch<R, F, I> rays, int depth, List<SecondaryRay> queue)
     {
+        Tally?.Add(rays);
         _scene.Nearest(rays, _hits);
         Counters.Charge(RenderStage.Intersect);
         _groups.Sort(rays, _hits);
@@ -84,10 +89,10 @@ internal sealed unsafe class BatchTracer<R, F, I>
         key.Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | ViewStage.Needs(_options.View));
         ViewerStage.Run(rays, _hits, order, count, _buffers);
         Counters.Charge(RenderStage.Surface);
-        if (_options.View is RenderView.Color or RenderView.Nan)
+        if (ViewStage.IsShaded(_options.View))
         {
             TextureStage.Run(material, _buffers, count, Counters);
-            _lights.Run(material, count);
+            _lights.Run(material, order, count);
             if (material.HasSecondaryRays && depth < _options.MaxDepth)
             {
                 _secondaryStage.Run(material, order, count, Weights, Pixels);

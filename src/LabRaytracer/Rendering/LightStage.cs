@@ -4,13 +4,16 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Lamps and shadows of a group of hits.</summary>
-internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, WorkerCounters counters)
+internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, WorkerCounters counters, RayTally? tally)
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
     /// <summary>Starts the radiance with emission and ambient light, then adds every lamp's share.</summary>
-    public void Run(CompiledMaterial material, int count)
+    /// <param name="material">The material of the hits.</param>
+    /// <param name="order">Numbers of the rays that hit.</param>
+    /// <param name="count">How many.</param>
+    public void Run(CompiledMaterial material, int* order, int count)
     {
         int packets = (count + R.Width - 1) / R.Width;
         Begin(material, packets);
@@ -20,6 +23,7 @@ internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, S
             {
                 Sample(light, count, packets);
                 AimShadowRays(packets, count);
+                tally?.Add(buffers.ShadowRays, order, count);
                 if (light.CastsShadows)
                 {
                     scene.Block(buffers.ShadowRays);

@@ -20,4 +20,15 @@ public enum RenderView
 
     /// <summary>Magenta where the colour is NaN or infinite, else a dim grey of the colour.</summary>
     Nan,
+
+    /// <summary>
+    /// The texel that nearest lookup reads of the first picture texture of the material, diffuse before the other coefficients: a colour for each texel,
+    /// light and dark in turn; grey without a picture texture, black outside of one with a border.
+    /// </summary>
+    Texel,
+
+    /// <summary>
+    /// Number of rays (from the camera, reflected, refracted, to lamps) that a sample of the pixel causes on average: black 1, blue 4, red 16, yellow 64, white 256 or more.
+    /// </summary>
+    Cost,
 }

@@ -63,7 +63,13 @@ internal static unsafe class TextureStage
         }
     }
 
-    private static void Map<R>(in CompiledCoordinates set, in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int count, int packets)
+    /// <summary>Evaluates a mapping and its transform.</summary>
+    /// <param name="set">Which.</param>
+    /// <param name="positions">Points of the surface.</param>
+    /// <param name="coordinates">Receives u and v.</param>
+    /// <param name="count">How many points.</param>
+    /// <param name="packets">The same in groups of lanes.</param>
+    public static void Map<R>(in CompiledCoordinates set, in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int count, int packets)
         where R : unmanaged, IReal<R>
     {
         if (set.Mapping is IWideMapping wide)

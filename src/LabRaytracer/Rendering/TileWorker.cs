@@ -61,6 +61,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     public void Render(int x, int y, Picture picture, int top)
     {
         Counters.Start();
+        _tracer.Tally?.Clear();
         for (int sample = 0; sample < _options.Samples; sample++)
         {
             Aim(x, y, sample);
@@ -229,6 +230,11 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
             for (int column = 0; !isPlain && column < width; column++)
             {
                 pixels[column] = Checked(pixels[column], x + column, y + row);
+            }
+
+            for (int column = 0; _tracer.Tally is { } tally && column < width; column++)
+            {
+                pixels[column] = tally.Color(Number(column, row), _options.Samples);
             }
         }
     }

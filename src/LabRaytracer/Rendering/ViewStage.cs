@@ -3,6 +3,9 @@ namespace LabRaytracer;
 /// <summary>Views that show geometry instead of light.</summary>
 internal static unsafe class ViewStage
 {
+    /// <summary>Tells whether a view needs light to be computed.</summary>
+    public static bool IsShaded(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Cost;
+
     /// <summary>Columns of surface points that a view reads.</summary>
     public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv
         ? SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates
@@ -15,6 +18,12 @@ internal static unsafe class ViewStage
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
+        if (view == RenderView.Texel)
+        {
+            TexelView.Run(material, buffers, count);
+            return;
+        }
+
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
         for (int i = 0; i < count; i++)
         {

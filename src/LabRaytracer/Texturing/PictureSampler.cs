@@ -8,10 +8,11 @@ internal sealed unsafe class PictureSampler<TReader>(
     TexelStore store, float[]? table, TReader reader, SamplingOptions options, TextureFilter filter) : TextureSampler
     where TReader : struct, ITexelReader
 {
+    public override (TexelAxis Across, TexelAxis Up)? FindAxes(IMapping mapping) => Axes(mapping.DefaultWrapU, mapping.DefaultWrapV);
+
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
     {
-        TexelAxis across = new(store.Width, options.WrapU ?? lookups.WrapU, options.Texels);
-        TexelAxis up = new(store.Height, options.WrapV ?? lookups.WrapV, options.Texels);
+        (TexelAxis across, TexelAxis up) = Axes(lookups.WrapU, lookups.WrapV);
         R* u = lookups.Coordinates.U;
         R* v = lookups.Coordinates.V;
         if (filter == TextureFilter.Nearest)
@@ -35,6 +36,9 @@ internal sealed unsafe class PictureSampler<TReader>(
         GC.KeepAlive(store);
         GC.KeepAlive(table);
     }
+
+    private (TexelAxis Across, TexelAxis Up) Axes(TextureWrap wrapU, TextureWrap wrapV) =>
+        (new(store.Width, options.WrapU ?? wrapU, options.Texels), new(store.Height, options.WrapV ?? wrapV, options.Texels));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private R Nearest<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, out F red, out F green, out F blue)

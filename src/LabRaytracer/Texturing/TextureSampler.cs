@@ -11,4 +11,7 @@ internal abstract unsafe class TextureSampler
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>;
+
+    /// <summary>The axes of a picture's texels under a mapping; null of a texture that is no picture.</summary>
+    public virtual (TexelAxis Across, TexelAxis Up)? FindAxes(IMapping mapping) => null;
 }

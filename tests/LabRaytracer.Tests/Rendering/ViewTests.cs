@@ -1,0 +1,108 @@
+namespace LabRaytracer.Tests.Rendering;
+
+/// <summary>Views that show texels and cost.</summary>
+public sealed class ViewTests
+{
+    [Theory]
+    [InlineData(Precision.Double)]
+    [InlineData(Precision.Single)]
+    public void Texel_QuadWithPicture_DiffersExactlyWhereNearestLookupDoes(Precision precision)
+    {
+        // A texture of distinct colours: two pixels have the same colour if and only if they read the same texel.
+        Texture texture = TestScenes.Random(7, 5).With(new SamplingOptions { Filter = TextureFilter.Nearest });
+        Scene scene = TestScenes.QuadFromAbove(TestScenes.Shining(texture));
+        Picture Show(RenderView view) => Renderer.Render(scene, new RenderOptions { Width = 40, Height = 40, Precision = precision, View = view }).Picture;
+        Intensity[] colors = Show(RenderView.Color).Pixels.ToArray(), texels = Show(RenderView.Texel).Pixels.ToArray();
+        Dictionary<Intensity, Intensity> texelOfColor = [];
+        for (int i = 0; i < colors.Length; i++)
+        {
+            Assert.True(texelOfColor.TryAdd(colors[i], texels[i]) || texelOfColor[colors[i]] == texels[i], $"pixel {i}");
+        }
+
+        Assert.Equal(7 * 5, texelOfColor.Count);
+        Assert.Equal(7 * 5, texelOfColor.Values.Distinct().Count());
+    }
+
+    [Fact]
+    public void Texel_Neighbours_DifferInEveryChannel()
+    {
+        Scene scene = TestScenes.QuadFromAbove(TestScenes.Shining(new Texture(16, 16)));
+        Picture texels = Renderer.Render(scene, new RenderOptions { Width = 16, Height = 16, View = RenderView.Texel }).Picture;
+        for (int y = 0; y < 16; y++)
+        {
+            for (int x = 1; x < 16; x++)
+            {
+                Assert.True(Farthest(texels[x, y], texels[x - 1, y]) >= 0.2f);
+                Assert.True(Farthest(texels[y, x], texels[y, x - 1]) >= 0.2f);
+            }
+        }
+
+        static float Farthest(Intensity a, Intensity b) => Math.Min(Math.Abs(a.R - b.R), Math.Min(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
+    }
+
+    [Fact]
+    public void Texel_WithoutPicture_IsGrey()
+    {
+        foreach (Material material in new[] { new Material(), new Material { Diffuse = TextureSlot.Of(new CheckerTexture()) } })
+        {
+            Picture picture = Renderer.Render(TestScenes.QuadFromAbove(material), new RenderOptions { Width = 3, Height = 3, View = RenderView.Texel }).Picture;
+            Assert.All(picture.Pixels.ToArray(), pixel => Assert.Equal(Intensity.Grey(0.25f), pixel));
+        }
+    }
+
+    [Fact]
+    public void Texel_DiffuseAndOthers_ShowsDiffuse()
+    {
+        Picture Show(Material material) =>
+            Renderer.Render(TestScenes.QuadFromAbove(material), new RenderOptions { Width = 20, Height = 20, View = RenderView.Texel }).Picture;
+        Texture coarse = TestScenes.Random(2, 2), fine = TestScenes.Random(10, 10);
+        Picture both = Show(new Material { Diffuse = coarse, Emission = fine }), one = Show(new Material { Diffuse = coarse });
+        Assert.Equal(one.Pixels.ToArray(), both.Pixels.ToArray());
+        Assert.Equal(4, both.Pixels.ToArray().Distinct().Count());
+    }
+
+    [Theory]
+    [InlineData(0f, 1, 1)]
+    [InlineData(0f, 2, 2)]
+    [InlineData(0.5f, 1, 2)]
+    [InlineData(0.5f, 2, 3)]
+    public void Cost_Quad_CountsCameraMirrorAndShadowRays(float mirror, int lamps, int rays)
+    {
+        Scene scene = TestScenes.QuadFromAbove(new Material { Reflection = Intensity.Grey(mirror) });
+        for (int lamp = 1; lamp < lamps; lamp++)
+        {
+            scene.Lights.Add(new PointLight(new Point3D(0, 3, 0), Intensity.White));
+        }
+
+        RenderOptions options = new() { Width = 5, Height = 5, Samples = 4, View = RenderView.Cost };
+        Assert.All(Renderer.Render(scene, options).Picture.Pixels.ToArray(), pixel => Assert.Equal(rays, Rays(pixel), 1e-5));
+    }
+
+    [Fact]
+    public void Cost_Everything_AddsUpToTheStatistics()
+    {
+        RenderResult result = Renderer.Render(TestScenes.Everything(), new RenderOptions { Width = 70, Height = 45, View = RenderView.Cost });
+        double sum = result.Picture.Pixels.ToArray().Sum(pixel => Math.Round(Rays(pixel)));
+        Assert.Equal(result.Statistics.PrimaryRays + result.Statistics.SecondaryRays + result.Statistics.ShadowRays, sum);
+        Assert.True(result.Statistics.SecondaryRays > 0 && result.Statistics.ShadowRays > 0);
+    }
+
+    [Theory]
+    [InlineData(RenderView.Texel)]
+    [InlineData(RenderView.Cost)]
+    public void View_AnyVectorWidthAndThreads_IsTheSamePicture(RenderView view)
+    {
+        Scene scene = TestScenes.Everything();
+        RenderOptions options = new() { Width = 70, Height = 45, View = view, Threads = 1 }, parallel = new() { Width = 70, Height = 45, View = view, Threads = 3 };
+        Intensity[] narrow = Renderer.Render(scene, options, 1, null, CancellationToken.None).Picture.Pixels.ToArray();
+        Assert.Equal(narrow, Renderer.Render(scene, parallel).Picture.Pixels.ToArray());
+    }
+
+    /// <summary>Number of rays that a colour of the cost view stands for: a quarter of the scale is two doublings.</summary>
+    private static double Rays(Intensity color)
+    {
+        double quarters = color.G > 0 ? (color.B > 0 ? 3 + color.B : 2 + color.G) : color.R > 0 ? 1 + color.R : color.B;
+        double doublings = 2 * quarters, whole = Math.Floor(doublings + 1e-6);
+        return Math.Pow(2, whole) * (1 + doublings - whole);
+    }
+}
