@@ -39,12 +39,12 @@ internal sealed class PngBandCompressor(RowEncoder encoder, int width, PngCompre
         }
 
         ReadOnlySpan<byte> filtered = raw.AsSpan(0, rawLength);
-        using MemoryStream target2 = new(rawLength / 4);
+        using MemoryStream target2 = new(rawLength / 2);
         using (DeflateStream deflater = new(target2, deflate, leaveOpen: true))
         {
             deflater.Write(filtered);
             deflater.Flush();
-            PngBand band = new(target2.ToArray(), Adler32.Compute(filtered), rawLength);
+            PngBand band = new(target2.GetBuffer().AsMemory(0, (int)target2.Length), Adler32.Compute(filtered), rawLength);
             ArrayPool<byte>.Shared.Return(raw);
             ArrayPool<byte>.Shared.Return(codes);
             return band;
