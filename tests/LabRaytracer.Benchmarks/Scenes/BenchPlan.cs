@@ -47,8 +47,14 @@ internal sealed record BenchPlan
             {
                 "--short" => plan with
                 {
-                    Folder = Path.Combine(Root, "artifacts", "bench"), Rounds = 3, Width = 384, Height = 216, Reduce = 8, ReferenceSamples = 256,
-                    MostSpheres = 10_000, MostTriangles = 100_000,
+                    Folder = Path.Combine(Root, "artifacts", "bench"),
+                    Rounds = 3,
+                    Width = 384,
+                    Height = 216,
+                    Reduce = 8,
+                    ReferenceSamples = 256,
+                    MostSpheres = 10_000,
+                    MostTriangles = 100_000,
                 },
                 "--long" => plan with { Rounds = 9, MostSpheres = 1_000_000, MostTriangles = 4_000_000 },
                 "--rounds" when i + 1 < words.Length && int.TryParse(words[i + 1], NumberStyles.None, CultureInfo.InvariantCulture, out int rounds) && rounds > 0
