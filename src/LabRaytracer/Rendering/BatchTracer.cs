@@ -83,6 +83,33 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Counters.Charge(RenderStage.Combine);
     }
 
+    /// <summary>Finds out what each ray of a batch sees and where on its default mapping, and nothing else.</summary>
+    /// <param name="rays">The rays.</param>
+    /// <param name="objects">Receives the objects' numbers, or <see cref="HitBatch{R, F, I}.Miss"/>.</param>
+    /// <param name="u">Receives u where an object is seen.</param>
+    public void Probe(RayBatch<R, F, I> rays, int[] objects, double[] u)
+    {
+        _scene.Nearest(rays, _hits);
+        _groups.Sort(rays, _hits);
+        new ReadOnlySpan<int>((int*)_hits.Object, rays.Count).CopyTo(objects);
+        for (int key = 0; key < _scene.Keys.Count; key++)
+        {
+            int count = _groups.Count[key];
+            int* order = _groups.Order + _groups.Start[key];
+            if (count > 0)
+            {
+                _scene.Keys[key].Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, ViewStage.MappingNeeds);
+            }
+
+            for (int i = 0; i < count; i++)
+            {
+                u[order[i]] = ViewStage.Map(_scene.Keys[key].Material.DefaultMapping, _buffers.Surfaces, i).U;
+            }
+        }
+
+        Counters.Charge(RenderStage.Map);
+    }
+
     private void Shade(ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, int* order, int count, int depth)
     {
         CompiledMaterial material = key.Material;

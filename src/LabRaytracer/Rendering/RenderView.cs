@@ -31,4 +31,10 @@ public enum RenderView
     /// Number of rays (from the camera, reflected, refracted, to lamps) that a sample of the pixel causes on average: black 1, blue 4, red 16, yellow 64, white 256 or more.
     /// </summary>
     Cost,
+
+    /// <summary>
+    /// A dim grey of the colour, red where u of the default mapping differs by more than 1/2 between the centres of a pixel and of a neighbour beside, above or below it
+    /// on the same object: at seams, at poles, and where a pixel spans more than half of a texture.
+    /// </summary>
+    Seam,
 }

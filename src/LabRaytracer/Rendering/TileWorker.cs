@@ -23,6 +23,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     private readonly R* _sampleX;
     private readonly R* _sampleY;
     private readonly TileColors<F> _colors;
+    private readonly SeamMarks? _seams;
     private bool _hasPrimaryOrder;
     private List<SecondaryRay> _queue = [];
     private List<SecondaryRay> _next = [];
@@ -42,6 +43,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         _sampleX = _memory.Column<R>(Pixels, R.Width);
         _sampleY = _memory.Column<R>(Pixels, R.Width);
         _colors = new TileColors<F>(_memory, Pixels);
+        _seams = options.View == RenderView.Seam ? new SeamMarks(Pixels) : null;
         for (int i = 0; i < Pixels; i++)
         {
             (int x, int y) = Place(i);
@@ -78,6 +80,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
             }
         }
 
+        FindSeams(x, y);
         Write(x, y, picture, top);
         Counters.Charge(RenderStage.Combine);
     }
@@ -101,12 +104,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     {
         if (_options.Pattern == SamplePattern.Regular)
         {
-            R startX = R.Of(x + SampleOffsets.Regular(_options, sample, 0)), startY = R.Of(y + SampleOffsets.Regular(_options, sample, 1));
-            for (int packet = 0; packet < Pixels / R.Width; packet++)
-            {
-                _sampleX[packet] = _pixelX[packet] + startX;
-                _sampleY[packet] = _pixelY[packet] + startY;
-            }
+            PlaceSamples(x + SampleOffsets.Regular(_options, sample, 0), y + SampleOffsets.Regular(_options, sample, 1));
         }
         else
         {
@@ -118,6 +116,22 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
             }
         }
 
+        AimSamples(x, y);
+    }
+
+    /// <summary>Puts the samples at the same place in all pixels.</summary>
+    private void PlaceSamples(double startX, double startY)
+    {
+        R left = R.Of(startX), top = R.Of(startY);
+        for (int packet = 0; packet < Pixels / R.Width; packet++)
+        {
+            _sampleX[packet] = _pixelX[packet] + left;
+            _sampleY[packet] = _pixelY[packet] + top;
+        }
+    }
+
+    private void AimSamples(int x, int y)
+    {
         _rays.Count = Pixels;
         AimCamera();
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
@@ -232,12 +246,37 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
                 pixels[column] = Checked(pixels[column], x + column, y + row);
             }
 
-            for (int column = 0; _tracer.Tally is { } tally && column < width; column++)
-            {
-                pixels[column] = tally.Color(Number(column, row), _options.Samples);
-            }
+            MarkRow(row, pixels);
         }
     }
+
+    /// <summary>Views that show more of a pixel than its light.</summary>
+    private void MarkRow(int row, Span<Intensity> pixels)
+    {
+        for (int column = 0; _tracer.Tally is { } tally && column < pixels.Length; column++)
+        {
+            pixels[column] = tally.Color(Number(column, row), _options.Samples);
+        }
+
+        for (int column = 0; _seams is { } seams && column < pixels.Length; column++)
+        {
+            pixels[column] = seams.IsSeam(Number(column, row), HitBatch<R, F, I>.Miss) ? new Intensity(1, 0, 0) : Dim(pixels[column]);
+        }
+    }
+
+    /// <summary>Looks at the pixels' centres and their neighbours' ones, if the view asks for it.</summary>
+    private void FindSeams(int x, int y)
+    {
+        for (int place = 0; _seams is { } seams && place < SeamMarks.Places.Count; place++)
+        {
+            (int dx, int dy) = SeamMarks.Places[place];
+            PlaceSamples(x + dx + 0.5, y + dy + 0.5);
+            AimSamples(x, y);
+            _tracer.Probe(_rays, seams.Objects(place), seams.U(place));
+        }
+    }
+
+    private static Intensity Dim(Intensity color) => Intensity.Grey(0.25f * Math.Clamp(color.Luminance, 0, 1));
 
     /// <summary>A colour that is safe to leave the renderer; what is not finite is counted.</summary>
     private Intensity Checked(Intensity color, int x, int y)
@@ -249,7 +288,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         }
 
         return _options.View != RenderView.Nan ? (isFinite ? color : Intensity.Black)
-            : isFinite ? Intensity.Grey(0.25f * Math.Clamp(color.Luminance, 0, 1))
+            : isFinite ? Dim(color)
             : new Intensity(1, 0, 1);
     }
 }

@@ -3,12 +3,15 @@ namespace LabRaytracer;
 /// <summary>Views that show geometry instead of light.</summary>
 internal static unsafe class ViewStage
 {
+    /// <summary>Columns of surface points that a mapping may read.</summary>
+    public const SurfaceNeeds MappingNeeds = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates;
+
     /// <summary>Tells whether a view needs light to be computed.</summary>
-    public static bool IsShaded(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Cost;
+    public static bool IsShaded(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Cost or RenderView.Seam;
 
     /// <summary>Columns of surface points that a view reads.</summary>
     public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv
-        ? SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates
+        ? MappingNeeds
         : SurfaceNeeds.None;
 
     /// <summary>Writes the view's colours as radiance.</summary>
@@ -29,7 +32,7 @@ internal static unsafe class ViewStage
         {
             buffers.Radiance.Put(i, view switch
             {
-                RenderView.Uv => Coordinates(material.DefaultMapping, s, i),
+                RenderView.Uv => Fractions(Map(material.DefaultMapping, s, i)),
                 RenderView.Normal => Half(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i)),
                 RenderView.Depth => Intensity.Grey((float)(1 / (1 + R.Take(hits.T, order[i])))),
                 _ => ObjectColor(((int*)hits.Object)[order[i]]),
@@ -48,16 +51,19 @@ internal static unsafe class ViewStage
 
     private static Intensity Half(double x, double y, double z) => new((float)((x + 1) / 2), (float)((y + 1) / 2), (float)((z + 1) / 2));
 
-    private static Intensity Coordinates<R, F, I>(IMapping mapping, SurfaceBatch<R, F, I> s, int i)
+    /// <summary>Texture coordinates of a point of a batch.</summary>
+    public static TextureCoordinate Map<R, F, I>(IMapping mapping, SurfaceBatch<R, F, I> s, int i)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
         PositionBatch<R> at = s.Positions;
-        TextureCoordinate mapped = mapping.Map(new SurfacePosition(
+        return mapping.Map(new SurfacePosition(
             new Point3D(R.Take(at.X, i), R.Take(at.Y, i), R.Take(at.Z, i)),
             new Vector3D(R.Take(at.NormalX, i), R.Take(at.NormalY, i), R.Take(at.NormalZ, i)),
             new TextureCoordinate(R.Take(at.SurfaceU, i), R.Take(at.SurfaceV, i))));
-        return new Intensity((float)(mapped.U - Math.Floor(mapped.U)), (float)(mapped.V - Math.Floor(mapped.V)), 0);
     }
+
+    private static Intensity Fractions(TextureCoordinate mapped) =>
+        new((float)(mapped.U - Math.Floor(mapped.U)), (float)(mapped.V - Math.Floor(mapped.V)), 0);
 }

@@ -1,6 +1,6 @@
 namespace LabRaytracer.Tests.Rendering;
 
-/// <summary>Views that show texels and cost.</summary>
+/// <summary>Views that show texels, cost and seams.</summary>
 public sealed class ViewTests
 {
     [Theory]
@@ -87,9 +87,47 @@ public sealed class ViewTests
         Assert.True(result.Statistics.SecondaryRays > 0 && result.Statistics.ShadowRays > 0);
     }
 
+    [Fact]
+    public void Seam_SpheresFromTheSideOfTheSeam_IsMarkedWhereNeighboursJump()
+    {
+        // The seam of the sheet's spherical mapping lies in the half plane x = 0, z > 0; three tiles by two.
+        Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(0.3, 1, 5), Point3D.Origin, 40) };
+        scene.Add(new Sphere(), new Material());
+        scene.Add(new Sphere(new Point3D(0.8, 0.2, 1), 0.4), new Material());
+        Picture Show(RenderView view) => Renderer.Render(scene, new RenderOptions { Width = 90, Height = 60, View = view }).Picture;
+        Picture seam = Show(RenderView.Seam), uv = Show(RenderView.Uv), objects = Show(RenderView.Object);
+        bool Jumps(int x, int y, int otherX, int otherY) =>
+            objects[x, y] == objects[otherX, otherY] && objects[x, y] != Intensity.Black && Math.Abs(uv[x, y].R - uv[otherX, otherY].R) > 0.5f;
+        int marked = 0;
+        for (int y = 1; y < 59; y++)
+        {
+            for (int x = 1; x < 89; x++)
+            {
+                bool isSeam = Jumps(x, y, x + 1, y) || Jumps(x, y, x - 1, y) || Jumps(x, y, x, y + 1) || Jumps(x, y, x, y - 1);
+                Assert.True(isSeam == (seam[x, y] == new Intensity(1, 0, 0)), $"({x}, {y})");
+                marked += isSeam ? 1 : 0;
+            }
+        }
+
+        Assert.InRange(marked, 30, 200);
+    }
+
+    [Fact]
+    public void Seam_Crop_IsThatPartOfTheWhole()
+    {
+        Scene scene = TestScenes.Everything();
+        Picture whole = Renderer.Render(scene, new RenderOptions { Width = 80, Height = 60, View = RenderView.Seam }).Picture;
+        Picture part = Renderer.Render(scene, new RenderOptions { Width = 80, Height = 60, View = RenderView.Seam, Crop = new PixelRectangle(21, 13, 40, 35) }).Picture;
+        for (int y = 0; y < 35; y++)
+        {
+            Assert.Equal(whole.Row(y + 13).Slice(21, 40).ToArray(), part.Row(y).ToArray());
+        }
+    }
+
     [Theory]
     [InlineData(RenderView.Texel)]
     [InlineData(RenderView.Cost)]
+    [InlineData(RenderView.Seam)]
     public void View_AnyVectorWidthAndThreads_IsTheSamePicture(RenderView view)
     {
         Scene scene = TestScenes.Everything();
