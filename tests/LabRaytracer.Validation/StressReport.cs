@@ -80,5 +80,6 @@ internal sealed record StressReport(StressOptions Options, IReadOnlyList<StressR
     [
         new MappingSweep(options).Run,
         new FunctionSweep(options).Run,
+        new RaySweep(options).Run,
     ];
 }

@@ -1,0 +1,88 @@
+namespace LabRaytracer.Validation;
+
+/// <summary>Hits and misses, ray parameters and local hits in the renderer's default lanes against exact arithmetic.</summary>
+internal sealed class RaySweep(StressOptions options)
+{
+    private const int ShapesPerPart = 110, RaysPerShape = 32;
+
+    /// <summary>A unit of local space on the equator of a sphere, in texels of a picture 8192 texels wide.</summary>
+    private const double TexelsPerUnit = 8192 / (2 * Math.PI);
+
+    private static readonly double s_eps = Math.ScaleB(1, -53);
+
+    /// <summary>All lines of the table.</summary>
+    public IEnumerable<StressRow> Run() =>
+        Run("sphere", 2e-16, 2.5)
+            .Concat(Run("cylinder", 2e-16, 2.5))
+            .Concat(Run("plane", 2e-16, 2))
+            .Concat(Run("disk", 4e-15, double.NaN))
+            .Concat(Run("quad", 4e-15, double.NaN))
+            .Concat(Run("box", 4e-15, double.NaN));
+
+    private IEnumerable<StressRow> Run(string name, double gap, double boundT)
+    {
+        Worst decisions = new($"{name}: wrong hit or miss", 0, ""), t = new($"{name}: t", boundT, "eps");
+        Worst texel = new($"{name}: local hit", 1e-11, "texel"), off = new($"{name}: local hit off the surface", 3, "eps r");
+        Worst bits = new($"{name}: batch = single", 0, "");
+        Parallel.For(0, options.Parts(500), part =>
+        {
+            Draws draws = Draws.Of(options.Seed, name, part);
+            for (int i = 0; i < ShapesPerPart; i++)
+            {
+                string kind = StressRays.Kinds[i % StressRays.Kinds.Length];
+                Shape shape = StressRays.Create(draws, name, kind, out Point3D center, out double size);
+                Ray[] rays = [.. Enumerable.Range(0, RaysPerShape).Select(_ => StressRays.At(draws, kind, center, size))];
+                using RayRun<Double16, Float16, Int16> run = new(shape, Transform.Identity, rays);
+                run.Surface();
+                for (int ray = 0; ray < rays.Length; ray++)
+                {
+                    ExactHit exact = ExactHit.Of(shape, rays[ray]);
+                    if (exact.Gap > gap)
+                    {
+                        decisions.Count(run.IsHit(ray) == exact.IsHit, $"{kind}: {shape.Bounds} {rays[ray]}, gap {exact.Gap:e2}, hit {exact.IsHit}");
+                    }
+
+                    bool isHit = shape.Intersect(rays[ray], double.PositiveInfinity, out Hit single);
+                    bits.Count(isHit == run.IsHit(ray) && (!isHit || single.T == run.Distance(ray)), $"{kind}: {rays[ray]}");
+                    if (exact.IsHit && run.IsHit(ray) && exact.Gap > gap)
+                    {
+                        t.Note(Math.Abs(((run.Distance(ray) - exact.T) / exact.T).ToDouble()) / s_eps, $"{kind}: {rays[ray]}, gap {exact.Gap:e2}");
+                        Point3D local = run.Local(ray);
+                        texel.Note(Distance(local, exact) * TexelsPerUnit, $"{kind}: {rays[ray]}, gap {exact.Gap:e2}");
+                        off.Note(Off(shape, local) / s_eps, $"{kind}: {rays[ray]}");
+                    }
+                }
+            }
+        });
+        List<StressRow> rows = [decisions.ToRow(), bits.ToRow()];
+        if (!double.IsNaN(boundT))
+        {
+            rows.Add(t.ToRow());
+        }
+
+        if (name != "plane")
+        {
+            rows.Add(texel.ToRow());
+        }
+
+        if (name is "sphere" or "cylinder")
+        {
+            rows.Add(off.ToRow());
+        }
+
+        return rows;
+    }
+
+    private static double Distance(Point3D found, in ExactHit exact)
+    {
+        double x = (found.X - exact.X).ToDouble(), y = (found.Y - exact.Y).ToDouble(), z = (found.Z - exact.Z).ToDouble();
+        return Math.Sqrt((x * x) + (y * y) + (z * z));
+    }
+
+    /// <summary>Distance of a local point from the unit sphere, or from the unit cylinder.</summary>
+    private static double Off(Shape shape, Point3D p)
+    {
+        Real square = ((Real)p.X * p.X) + ((Real)p.Z * p.Z) + (shape is Sphere ? (Real)p.Y * p.Y : 0);
+        return Math.Abs((Real.Sqrt(square) - 1).ToDouble());
+    }
+}
