@@ -36,7 +36,7 @@ internal readonly struct BoxKernel : IShapeKernel
 
     /// <remarks>The coordinate along the normal of the face is exactly plus or minus half the size, the others stay within the face.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {

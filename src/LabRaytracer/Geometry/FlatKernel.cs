@@ -37,7 +37,7 @@ internal readonly struct FlatKernel<TOutline> : IShapeKernel
 
     /// <remarks>The point is rebuilt from its local coordinates, so that it lies in the plane.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {

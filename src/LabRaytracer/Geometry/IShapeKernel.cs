@@ -44,12 +44,23 @@ internal interface IShapeKernel
         where F : unmanaged, IReal<F>
         where P : struct, IParameters<F> => F.True;
 
-    /// <summary>Surface points of hits; every field of <paramref name="s"/> is written (unused ones as zero).</summary>
+    /// <summary>
+    /// The ray parameters of hits as accurate as is promised. <see cref="Intersect"/>, which looks at every candidate, may leave the hard ones rough:
+    /// it decides hit or miss; the nearest hit alone pays for its last digits.
+    /// </summary>
     /// <param name="shape">The shape's numbers.</param>
     /// <param name="ray">Rays in object space.</param>
     /// <param name="t">Ray parameters as <see cref="Intersect"/> gave them.</param>
+    static virtual R Refine<R, P>(in P shape, in RayLanes<R> ray, R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => t;
+
+    /// <summary>Surface points of hits; every field of <paramref name="s"/> is written (unused ones as zero).</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">Ray parameters as <see cref="Intersect"/> gave them; becomes what <see cref="Refine"/> makes of them.</param>
     /// <param name="s">The surface, in the ray's space.</param>
-    static abstract void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+    static abstract void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
 }

@@ -91,11 +91,11 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
             RayLanes<R> ray = rays.Collect(run);
-            R t = run.Collect<R, F>(hits.T);
+            R found = run.Collect<R, F>(hits.T), t = found;
             SurfaceLanes<R> s;
             if (_numberOfMember.Count == 1)
             {
-                K.Surface(new SharedParameters<R, F, I>(_numbers, 0), ray, t, out s);
+                K.Surface(new SharedParameters<R, F, I>(_numbers, 0), ray, ref t, out s);
             }
             else
             {
@@ -103,16 +103,29 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
                 I number = run.Collect(hits.Object);
                 if (I.AllEqual(number, one))
                 {
-                    K.Surface(new SharedParameters<R, F, I>(_numbers, memberOfObject[one] * K.ParameterCount), ray, t, out s);
+                    K.Surface(new SharedParameters<R, F, I>(_numbers, memberOfObject[one] * K.ParameterCount), ray, ref t, out s);
                 }
                 else
                 {
                     I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
-                    K.Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, t, out s);
+                    K.Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, ref t, out s);
                 }
             }
 
             surfaces.Store(packet, s, needs);
+            if (!R.All(R.Equal(t, found)))
+            {
+                KeepRefined(hits, order, count, packet, t);
+            }
+        }
+    }
+
+    private static void KeepRefined(HitBatch<R, F, I> hits, int* order, int count, int packet, R t)
+    {
+        int first = packet * R.Width;
+        for (int lane = 0; lane < R.Width && first + lane < count; lane++)
+        {
+            R.Put(hits.T, order[first + lane], R.Get(t, lane));
         }
     }
 

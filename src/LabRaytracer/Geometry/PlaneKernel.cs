@@ -25,7 +25,7 @@ internal readonly struct PlaneKernel : IShapeKernel
     }
 
     /// <remarks>
-    /// t = n.(q - o) / n.d, both products as if with twice the digits: t is within 1 ulp also for rays that graze the plane or start near it.
+    /// t = n.(q - o) / n.d, all of it as if with twice the digits: t is within 1 ulp also for rays that graze the plane or start near it.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
@@ -36,12 +36,18 @@ internal readonly struct PlaneKernel : IShapeKernel
         R qx = Compensated.Difference(shape[Point], ray.OriginX, out R restX);
         R qy = Compensated.Difference(shape[Point + 1], ray.OriginY, out R restY);
         R qz = Compensated.Difference(shape[Point + 2], ray.OriginZ, out R restZ);
-        R height = Compensated.Dot(nx, ny, nz, qx, qy, qz, out R rest);
-        height += rest + Lane.Dot(nx, ny, nz, restX, restY, restZ);
-        R approach = Compensated.Dot(nx, ny, nz, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
+        R heightPart = Compensated.Dot(nx, ny, nz, qx, qy, qz, out R heightRest);
+        heightRest += Lane.Dot(nx, ny, nz, restX, restY, restZ);
+        R height = heightPart + heightRest;
+        heightRest -= height - heightPart;
+        R approachPart = Compensated.Dot(nx, ny, nz, ray.DirectionX, ray.DirectionY, ray.DirectionZ, out R approachRest);
+        R approach = approachPart + approachRest;
+        approachRest -= approach - approachPart;
 
-        // 0 / 0 (a ray inside the plane) is NaN, which is no hit; x / 0 is infinite, beyond every limit.
-        t = height / approach;
+        // One more step of the division. A ray inside the plane or parallel to it makes NaN of it, which is no hit.
+        R inverse = R.Of(1) / approach;
+        R quotient = height * inverse;
+        t = R.Fma(R.Fma(-quotient, approach, height) + R.Fma(-quotient, approachRest, heightRest), inverse, quotient);
         return R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
     }
 
@@ -71,7 +77,7 @@ internal readonly struct PlaneKernel : IShapeKernel
     /// It is then put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {

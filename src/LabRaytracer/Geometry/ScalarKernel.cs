@@ -9,8 +9,10 @@ internal static unsafe class ScalarKernel<K>
     public static bool Intersect(Shape shape, in Ray ray, double limit, out Hit hit)
     {
         double* numbers = stackalloc double[K.ParameterCount];
-        bool isHit = Double1.Any(K.Intersect(Describe(shape, numbers), Lanes(ray), out Double1 t)) && t.Value < limit;
-        hit = new Hit(t.Value);
+        SharedParameters<Double1, Float1, Int1> described = Describe(shape, numbers);
+        RayLanes<Double1> lanes = Lanes(ray);
+        bool isHit = Double1.Any(K.Intersect(described, lanes, out Double1 t)) && t.Value < limit;
+        hit = new Hit(isHit ? K.Refine(described, lanes, t).Value : t.Value);
         return isHit;
     }
 
@@ -18,7 +20,8 @@ internal static unsafe class ScalarKernel<K>
     public static SurfacePoint SurfaceAt(Shape shape, in Ray ray, in Hit hit)
     {
         double* numbers = stackalloc double[K.ParameterCount];
-        K.Surface(Describe(shape, numbers), Lanes(ray), new Double1(hit.T), out SurfaceLanes<Double1> s);
+        Double1 t = new(hit.T);
+        K.Surface(Describe(shape, numbers), Lanes(ray), ref t, out SurfaceLanes<Double1> s);
         return new SurfacePoint(
             new Point3D(s.PointX.Value, s.PointY.Value, s.PointZ.Value),
             new Vector3D(s.NormalX.Value, s.NormalY.Value, s.NormalZ.Value),

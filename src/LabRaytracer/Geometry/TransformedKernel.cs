@@ -25,11 +25,17 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
         K.Intersect(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), WorldSpace.ToObject(shape, ray), out t);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+    public static R Refine<R, P>(in P shape, in RayLanes<R> ray, R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> =>
+        K.Refine(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), WorldSpace.ToObject(shape, ray), t);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        K.Surface(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), WorldSpace.ToObject(shape, ray), t, out s);
+        K.Surface(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), WorldSpace.ToObject(shape, ray), ref t, out s);
         WorldSpace.FromObject(shape, ref s);
     }
 }

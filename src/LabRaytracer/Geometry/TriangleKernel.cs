@@ -32,7 +32,7 @@ internal readonly struct TriangleKernel : IShapeKernel
         where P : struct, IParameters<R> => Weights(shape, ray, out t, out _, out _, out _);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, R t, out SurfaceLanes<R> s)
+    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
