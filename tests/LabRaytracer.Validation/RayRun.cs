@@ -79,5 +79,17 @@ internal sealed unsafe class RayRun<R, F, I> : IDisposable
     public Point3D Local(int ray) => new(
         R.Take(Surfaces.Positions.X, Element(ray)), R.Take(Surfaces.Positions.Y, Element(ray)), R.Take(Surfaces.Positions.Z, Element(ray)));
 
+    /// <summary>A ray that leaves the surface where one hit it, from just outside its slack; one in three almost along the surface.</summary>
+    public Ray Leaving(int ray, Draws draws)
+    {
+        int at = Element(ray);
+        Vector3D normal = new(R.Take(Surfaces.NormalX, at), R.Take(Surfaces.NormalY, at), R.Take(Surfaces.NormalZ, at));
+        Point3D point = new(R.Take(Surfaces.PointX, at), R.Take(Surfaces.PointY, at), R.Take(Surfaces.PointZ, at));
+        Vector3D direction = draws.Direction();
+        double up = Vector3D.Dot(direction, normal);
+        direction = draws.Integer(3) == 0 ? direction - (normal * (up - draws.Scale(R.IsSingle ? -5 : -12, -1))) : up < 0 ? -direction : direction;
+        return new Ray(point + (normal * R.Take(Surfaces.Slack, at)), direction.Normalized());
+    }
+
     public void Dispose() => _memory.Dispose();
 }

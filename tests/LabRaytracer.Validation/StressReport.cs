@@ -80,6 +80,10 @@ internal sealed record StressReport(StressOptions Options, IReadOnlyList<StressR
     [
         new MappingSweep(options).Run,
         new FunctionSweep(options).Run,
+        new TexelSweep(options).Run,
+        new ColorSweep(options).Run,
         new RaySweep(options).Run,
+        new MeetingSweep(options).Run,
+        new EndToEndSweep(options).Run,
     ];
 }

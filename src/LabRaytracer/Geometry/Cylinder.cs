@@ -5,6 +5,7 @@ namespace LabRaytracer;
 /// <para>Immutable, thread safe. The axis is parallel to +Y; use the transform of the scene object for another. Hit from outside and from inside;
 /// the normal points outward. Add two <see cref="Disk"/> objects for closed ends.</para>
 /// <para>Local points have radius 1 and y in [-1, 1] (lab sheet IV, section 1.1.2).</para>
+/// <para>Accuracy as for <see cref="Sphere"/>, also for rays along the axis.</para>
 /// </remarks>
 public sealed class Cylinder : Shape
 {

@@ -52,7 +52,13 @@ internal readonly struct SphereKernel : IShapeKernel
         CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
-        R isRough = IsRough(centred, radius, discriminant, step, half);
+        R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
+        if (R.Any(isRoughT))
+        {
+            CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
+            t = R.Select(isRoughT, chord.T, t);
+        }
+
         if (R.Any(isRough))
         {
             PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K);
@@ -105,7 +111,13 @@ internal readonly struct SphereKernel : IShapeKernel
         R x = R.Fma(along, centred.DirectionX, centred.X);
         R y = R.Fma(along, centred.DirectionY, centred.Y);
         R z = R.Fma(along, centred.DirectionZ, centred.Z);
-        R isRough = IsRough(centred, radius, discriminant, step, half);
+        R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
+        if (R.Any(isRoughT))
+        {
+            CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
+            t = R.Select(isRoughT, chord.T, t);
+        }
+
         if (R.Any(isRough))
         {
             PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K);
@@ -153,18 +165,26 @@ internal readonly struct SphereKernel : IShapeKernel
         return R.LessOrEqual(R.Abs(discriminant), unit) | R.LessOrEqual(start, unit * ray.InverseLengthSquared);
     }
 
-    /// <summary>Mask: half the chord is so short, against the radius or against t, that its error shows; or the decision was close.</summary>
+    /// <summary>Mask: half the chord is so short that its error shows in the point, the ray starts so near that it shows in t, or the decision was close.</summary>
+    /// <param name="ray">Rays from their points nearest to the centre.</param>
+    /// <param name="radius">Radius.</param>
+    /// <param name="discriminant">Squared half chord, object units.</param>
+    /// <param name="step">From l to the middle of the chord.</param>
+    /// <param name="half">Half the chord in units of the direction.</param>
+    /// <param name="isRoughT">Mask: its error shows in t alone, or in both, and the ray starts far enough.</param>
     /// <remarks>
-    /// The error of half the chord is a few units of r^2 / half. Up to r^2 / half = t it keeps t within 2.5 units; up to 8 half it keeps the point within 1e-11 texel
-    /// of a picture 8192 texels wide. The mask depends on nothing but the ray and the shape, so that whoever asks gets the same answer.
+    /// The error of half the chord is a few units of r^2 / half. Up to r^2 / half = t it keeps t within 2.5 units; up to half = r / 20 it keeps the point within
+    /// 1e-11 texel of a picture 8192 texels wide. The masks depend on nothing but the ray and the shape, so that whoever asks gets the same answer.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static R IsRough<R>(in CentredRay<R> ray, R radius, R discriminant, R step, R half)
+    private static R IsRough<R>(in CentredRay<R> ray, R radius, R discriminant, R step, R half, out R isRoughT)
         where R : unmanaged, IReal<R>
     {
         R near = ray.K + (step - half), far = ray.K + (step + half);
-        R t = R.Select(R.Less(R.Zero, near), near, far);
-        R isFine = R.LessOrEqual(radius * radius * ray.InverseLengthSquared, half * R.Min(R.Abs(t), R.Of(64) * half));
+        R t = R.Abs(R.Select(R.Less(R.Zero, near), near, far));
+        R square = radius * radius * ray.InverseLengthSquared;
+        isRoughT = R.Less(half * t, square);
+        R isFine = R.LessOrEqual(square, R.Of(400) * half * half) & (R.LessOrEqual(square, R.Of(0.25) * t * t) | ~isRoughT);
         return ~isFine | IsClose(ray, radius, discriminant, near, far);
     }
 

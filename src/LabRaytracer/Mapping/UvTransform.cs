@@ -46,6 +46,7 @@ public sealed record UvTransform
     public bool IsIdentity => this == Identity;
 
     /// <summary>The transformed coordinates.</summary>
+    /// <remarks>For quarter turns the error is at most 4 units of 2^-53 of the sum of the terms' magnitudes.</remarks>
     /// <param name="coordinate">Texture coordinates; finite.</param>
     public TextureCoordinate Apply(TextureCoordinate coordinate)
     {

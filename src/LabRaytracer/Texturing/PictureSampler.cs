@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Looks up packed texels, nearest or bilinear, many points at a time.</summary>
+/// <remarks>Bilinear colours are within 6 units of 2^-24 of the largest of the four texels, between exact arithmetic and default lanes.</remarks>
 /// <typeparam name="TReader">Reads the store's format.</typeparam>
 internal sealed unsafe class PictureSampler<TReader>(
     TexelStore store, float[]? table, TReader reader, SamplingOptions options, TextureFilter filter) : TextureSampler

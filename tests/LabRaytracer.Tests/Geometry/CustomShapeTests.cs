@@ -1,6 +1,6 @@
 namespace LabRaytracer.Tests.Geometry;
 
-/// <summary>A student's shape takes part with the same bits as a built-in one.</summary>
+/// <summary>A student's shape takes part with the same bits as a built-in one, where that one needs no more digits than doubles have.</summary>
 public sealed class CustomShapeTests
 {
     [Fact]
@@ -30,7 +30,8 @@ public sealed class CustomShapeTests
         {
             ShapeCases cases = new(5);
             Ray[] rays = [.. Enumerable.Range(0, 333).Select(_ => cases.RayAt(new Point3D(1, 2, 3), 1.5, transform))];
-            using ShapeRun<R, F, I> student = new([new StudentSphere(new Point3D(1, 2, 3), 1.5)], transform, rays.Length);
+            StudentSphere shape = new(new Point3D(1, 2, 3), 1.5);
+            using ShapeRun<R, F, I> student = new([shape], transform, rays.Length);
             using ShapeRun<R, F, I> own = new([new Sphere(new Point3D(1, 2, 3), 1.5)], transform, rays.Length);
             student.SetRays(rays);
             own.SetRays(rays);
@@ -39,7 +40,9 @@ public sealed class CustomShapeTests
             int[] hits = own.Surface();
             Assert.InRange(hits.Length, 50, rays.Length);
             Assert.Equal(hits, student.Surface());
-            for (int i = 0; i < hits.Length; i++)
+            int[] ordinary = [.. Enumerable.Range(0, hits.Length).Where(i => shape.IsOrdinary(transform.ObjectFromWorld(rays[hits[i]])))];
+            Assert.InRange(ordinary.Length, hits.Length / 2, hits.Length);
+            foreach (int i in ordinary)
             {
                 Assert.Equal(own.Distance(hits[i]), student.Distance(hits[i]));
                 Assert.Equal(own.SurfaceNumbers(i), student.SurfaceNumbers(i));
@@ -72,6 +75,14 @@ public sealed class CustomShapeTests
             Point3D point = new Ray(center, normal).PointAt(radius);
             double slack = (Math.Abs(center.X) + Math.Abs(center.Y) + Math.Abs(center.Z) + radius) * 3.552713678800501e-15;
             return new SurfacePoint(point, normal, normal, new SurfacePosition(new Point3D(normal.X, normal.Y, normal.Z), normal, default), slack);
+        }
+
+        /// <summary>False for rays that graze the sphere or start near their hit: the built-in sphere refines them.</summary>
+        public bool IsOrdinary(in Ray ray)
+        {
+            (double k, double step, double half, _, _) = Solve(ray);
+            double near = k + (step - half), t = near > 0 ? near : k + (step + half);
+            return half * Math.Min(t, 10 * half) * Vector3D.Dot(ray.Direction, ray.Direction) > 1.01 * radius * radius;
         }
 
         private (double K, double Step, double Half, double Discriminant, Vector3D L) Solve(in Ray ray)

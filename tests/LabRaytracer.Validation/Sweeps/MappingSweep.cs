@@ -32,6 +32,7 @@ internal sealed unsafe class MappingSweep(StressOptions options)
         string format = R.IsSingle ? "float" : "double";
         Worst u = new($"{name} mapping u, {format}", boundU, "ulp"), v = new($"{name} mapping v, {format}", boundV, "ulp");
         Worst faults = new($"{name} mapping: NaN, out of range, seam flips, {format}", 0, "");
+        Worst subnormal = new($"{name} mapping u, v of coordinates below {(R.IsSingle ? "1e-30" : "1e-300")}, {format}", 2, "ulp");
         Worst bits = new($"{name} mapping: batch = single, {format}", 0, "");
         Parallel.For(0, options.Parts(parts), part =>
         {
@@ -46,12 +47,19 @@ internal sealed unsafe class MappingSweep(StressOptions options)
                 bool isAngle = mapping is not RectangularMapping, isBounded = mapping is SphericalMapping;
                 bool isRight = double.IsFinite(c.U) && double.IsFinite(c.V) && (!isAngle || (c.U is >= 0 and < 1)) && (!isBounded || (c.V is >= 0 and <= 1));
                 faults.Count(isRight && !(isAngle && Real.Abs(c.U - exactU) > 0.5), $"{p}: {c}");
-                u.Note(isAngle && Truth.Nearest(exactU, R.IsSingle) == 1 ? c.U == Below<R>() ? 0 : 99 : Truth.Ulps(c.U, exactU, R.IsSingle), $"{p}: u {c.U:R}");
-                v.Note(Truth.Ulps(c.V, exactV, R.IsSingle), $"{p}: v {c.V:R}");
+                double errorU = isAngle && Truth.Nearest(exactU, R.IsSingle) == 1 ? c.U == Below<R>() ? 0 : 99 : Truth.Ulps(c.U, exactU, R.IsSingle);
+                double errorV = Truth.Ulps(c.V, exactV, R.IsSingle);
+                bool isOrdinary = IsOrdinary<R>(p.X) && IsOrdinary<R>(p.Y) && IsOrdinary<R>(p.Z);
+                (isOrdinary ? u : subnormal).Note(errorU, $"{p}: u {c.U:R}");
+                (isOrdinary ? v : subnormal).Note(errorV, $"{p}: v {c.V:R}");
             }
         });
-        return [u.ToRow(), v.ToRow(), faults.ToRow(), bits.ToRow()];
+        return [u.ToRow(), v.ToRow(), subnormal.ToRow(), faults.ToRow(), bits.ToRow()];
     }
+
+    /// <summary>False where a product with a rounding error would underflow.</summary>
+    private static bool IsOrdinary<R>(double a)
+        where R : unmanaged, IReal<R> => a == 0 || Math.Abs(a) >= (R.IsSingle ? 1e-30 : 1e-300);
 
     private static TextureCoordinate[] Map<R>(IWideMapping mapping, Point3D[] points)
         where R : unmanaged, IReal<R>
