@@ -39,6 +39,7 @@ internal static class App
             SchemaVerb.Create(console),
             BenchDataVerb.Create(console, stop),
             DrawTexturesVerb.Create(console),
+            StressVerb.Create(console),
             VersionVerb.Create(console),
         };
         foreach (Option option in root.Options.Where(option => option is not HelpOption).ToArray())

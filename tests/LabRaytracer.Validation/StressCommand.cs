@@ -30,15 +30,15 @@ internal static class StressCommand
             }
         }
 
-        return Run(new StressOptions(seed, isLong), isJson, output, error);
+        return Report(new StressOptions(seed, isLong), isJson, output, error).IsKept ? 0 : 1;
     }
 
     /// <summary>Runs the sweep and prints its table, or JSON.</summary>
-    public static int Run(StressOptions options, bool isJson, TextWriter output, TextWriter error)
+    public static StressReport Report(StressOptions options, bool isJson, TextWriter output, TextWriter error)
     {
         error.WriteLine(FormattableString.Invariant($"seed {options.Seed}, {(options.IsLong ? "long" : "short")} form"));
         StressReport report = StressReport.Measure(options, isJson ? null : row => output.WriteLine(StressReport.Line(row)));
         output.Write(isJson ? report.ToJson() : report.Summary());
-        return report.IsKept ? 0 : 1;
+        return report;
     }
 }

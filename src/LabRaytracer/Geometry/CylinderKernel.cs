@@ -119,7 +119,11 @@ internal readonly struct CylinderKernel : IShapeKernel
         isClose = R.LessOrEqual(R.Abs(discriminant), unit * a * square) | (R.Less(R.Zero, discriminant) & (nearIsClose | farIsClose));
         R along = R.Select(isNear, near, far);
         R size = R.Of(8) * R.Min(radius, halfHeight) * R.Sqrt(ray.InverseLengthSquared);
-        isRough = ~R.LessOrEqual(square, root * R.Min(R.Abs(ray.K + along), size)) | isClose;
+
+        // From within one chord of the hit, the error of s is a larger part of t.
+        R t = R.Abs(ray.K + along);
+        R isNearby = R.Less(a * t, R.Of(2) * root);
+        isRough = ~R.LessOrEqual(square, root * R.Min(R.Select(isNearby, R.Of(0.5) * t, t), size)) | isClose;
         return along;
     }
 

@@ -81,7 +81,9 @@ internal readonly struct SphereKernel : IShapeKernel
         F cx = shape[CenterX], cy = shape[CenterY], cz = shape[CenterZ];
         F x = ray.OriginX - cx, y = ray.OriginY - cy, z = ray.OriginZ - cz;
         F size = F.Abs(ray.OriginX) + F.Abs(ray.OriginY) + F.Abs(ray.OriginZ) + F.Abs(cx) + F.Abs(cy) + F.Abs(cz);
-        F radius = F.Fma(size, F.Of(16.0 / (1 << 24)), shape[Radius]);
+
+        // 1e-18 more, so that squares of tiny numbers do not underflow.
+        F radius = F.Fma(size, F.Of(16.0 / (1 << 24)), shape[Radius]) + F.Of(1e-18);
         F square = radius * radius * F.Of(1 + (16.0 / (1 << 24)));
         F lengthSquared = Lane.Dot(ray.DirectionX, ray.DirectionY, ray.DirectionZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
         F along = Lane.Dot(x, y, z, ray.DirectionX, ray.DirectionY, ray.DirectionZ);

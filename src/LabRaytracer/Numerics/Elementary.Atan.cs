@@ -25,7 +25,7 @@ internal static partial class Elementary
     /// Any input has a result in these ranges: a NaN coordinate counts as 0, an infinite one as the largest finite number.
     /// The length of (x, y, z) does not matter; polar form, so that nothing cancels near the poles.
     /// Error of both at most 1 ulp (SphericalOracleTests and larger sweeps: 0.74 in double lanes, 0.95 in float lanes), except that u just below 1 never rounds up to 1,
-    /// and 2 ulp where a coordinate other than 0 is below 1e-300 (double lanes) or 1e-30 (float lanes): the remainder of the quotient underflows there.
+    /// and 2 ulp where a coordinate or the result, other than 0, is below 1e-300 (double lanes) or 1e-30 (float lanes): the remainder of the quotient underflows there.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static (T Azimuth, T Height) SphereTurns<T>(T x, T y, T z)

@@ -32,7 +32,7 @@ internal sealed unsafe class MappingSweep(StressOptions options)
         string format = R.IsSingle ? "float" : "double";
         Worst u = new($"{name} mapping u, {format}", boundU, "ulp"), v = new($"{name} mapping v, {format}", boundV, "ulp");
         Worst faults = new($"{name} mapping: NaN, out of range, seam flips, {format}", 0, "");
-        Worst subnormal = new($"{name} mapping u, v of coordinates below {(R.IsSingle ? "1e-30" : "1e-300")}, {format}", 2, "ulp");
+        Worst subnormal = new($"{name} mapping u, v where something is below {(R.IsSingle ? "1e-30" : "1e-300")}, {format}", 2, "ulp");
         Worst bits = new($"{name} mapping: batch = single, {format}", 0, "");
         Parallel.For(0, options.Parts(parts), part =>
         {
@@ -50,8 +50,8 @@ internal sealed unsafe class MappingSweep(StressOptions options)
                 double errorU = isAngle && Truth.Nearest(exactU, R.IsSingle) == 1 ? c.U == Below<R>() ? 0 : 99 : Truth.Ulps(c.U, exactU, R.IsSingle);
                 double errorV = Truth.Ulps(c.V, exactV, R.IsSingle);
                 bool isOrdinary = IsOrdinary<R>(p.X) && IsOrdinary<R>(p.Y) && IsOrdinary<R>(p.Z);
-                (isOrdinary ? u : subnormal).Note(errorU, $"{p}: u {c.U:R}");
-                (isOrdinary ? v : subnormal).Note(errorV, $"{p}: v {c.V:R}");
+                (isOrdinary && IsOrdinary<R>(c.U) ? u : subnormal).Note(errorU, $"{p}: u {c.U:R}");
+                (isOrdinary && IsOrdinary<R>(c.V) ? v : subnormal).Note(errorV, $"{p}: v {c.V:R}");
             }
         });
         return [u.ToRow(), v.ToRow(), subnormal.ToRow(), faults.ToRow(), bits.ToRow()];
