@@ -66,7 +66,7 @@ internal readonly struct PlaneKernel : IShapeKernel
         F approach = Lane.Dot(nx, ny, nz, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
         F size = F.Abs(px) + F.Abs(py) + F.Abs(pz) + F.Abs(ray.OriginX) + F.Abs(ray.OriginY) + F.Abs(ray.OriginZ);
         F length = F.Abs(ray.DirectionX) + F.Abs(ray.DirectionY) + F.Abs(ray.DirectionZ);
-        
+
         // 1e-37 more, below which floats lose their digits.
         F unsure = F.LessOrEqual(F.Abs(height), F.Fma(size, F.Of(8.0 / (1 << 24)), F.Of(1e-37))) | F.LessOrEqual(F.Abs(approach), length * F.Of(8.0 / (1 << 24)));
 
