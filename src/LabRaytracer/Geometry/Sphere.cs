@@ -3,7 +3,7 @@ namespace LabRaytracer;
 /// <summary>A sphere (Polish: sfera).</summary>
 /// <remarks>
 /// <para>Immutable, thread safe. Local points of its mapping have radius 1 (lab sheet IV, section 1.1.3).</para>
-/// <para>Hit or miss is right where exact arithmetic decides by more than 2e-16 of the squared radius. Of a hit, t is within 2.5 units of 2^-53; the local point is
+/// <para>Hit or miss is right where exact arithmetic decides by more than 2e-16 of the squared radius. Of a hit, t is within 2.5 units of 2^-53 (or 2^-100 of the radius); the local point is
 /// within 3 such units of the surface and within 1e-11 texel of a picture of 8192 x 4096, at any distance and however the ray grazes.</para>
 /// </remarks>
 public sealed class Sphere : Shape

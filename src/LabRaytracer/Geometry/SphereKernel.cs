@@ -185,7 +185,9 @@ internal readonly struct SphereKernel : IShapeKernel
         R near = ray.K + (step - half), far = ray.K + (step + half);
         R t = R.Abs(R.Select(R.Less(R.Zero, near), near, far));
         R square = radius * radius * ray.InverseLengthSquared;
-        isRoughT = R.Less(half * t, square);
+
+        // From within one and a half chords of the hit, the error of half the chord is a larger part of t.
+        isRoughT = R.Less(half * R.Select(R.Less(t, R.Of(3) * half), R.Of(0.5) * t, t), square);
         R isFine = R.LessOrEqual(square, R.Of(400) * half * half) & (R.LessOrEqual(square, R.Of(0.25) * t * t) | ~isRoughT);
         return ~isFine | IsClose(ray, radius, discriminant, near, far);
     }
