@@ -83,7 +83,7 @@ internal sealed class CompiledMaterial
 
     private CompiledSlot Compile(TextureSlot slot, IMapping defaultMapping, TexturePreparation textures)
     {
-        if (slot.Texture is null || slot.Amount == 0 || (slot.Blend == BlendMode.Multiply && slot.Value == Intensity.Black))
+        if (slot.Texture is null || !slot.IsTextured)
         {
             return new CompiledSlot(slot.Value, -1, slot.Blend, 1);
         }

@@ -41,6 +41,9 @@ public sealed class TextureSlot
         init => _blend = PropertyChecks.Known(value);
     }
 
+    /// <summary>Tells whether the texture can change the coefficient: only then is it made ready and looked up.</summary>
+    internal bool IsTextured => Texture is not null && Amount > 0 && !(Blend == BlendMode.Multiply && Value == Intensity.Black);
+
     /// <summary>A constant coefficient.</summary>
     public static implicit operator TextureSlot(Intensity value) => new() { Value = value };
 

@@ -8,7 +8,7 @@ internal static class SceneTextures
     {
         foreach (TextureSlot slot in scene.Objects.Select(item => item.Material).Distinct().SelectMany(ColorSlots).Append(scene.Background))
         {
-            if (slot.Texture is not null && slot.Amount > 0 && !(slot.Blend == BlendMode.Multiply && slot.Value == Intensity.Black))
+            if (slot.Texture is not null && slot.IsTextured)
             {
                 yield return (slot.Texture, false);
             }
