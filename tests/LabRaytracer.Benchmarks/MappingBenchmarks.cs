@@ -1,3 +1,4 @@
+using System.Globalization;
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 
@@ -5,12 +6,12 @@ namespace LabRaytracer.Benchmarks;
 
 /// <summary>
 /// The spherical mapping, 4096 points of the unit sphere in cache, one thread: generic lanes against hand-written registers at each width,
-/// one point at a time, and the plain loop of Math.Acos and Math.Atan2. The column Ulp is the worst error of u or v on these points.
+/// one point at a time, and the plain loop of Math.Acos and Math.Atan2. The column ulp is the worst error of u or v on these points.
 /// </summary>
 [GroupBenchmarksBy(BenchmarkLogicalGroupRule.ByCategory)]
 [CategoriesColumn]
-[Config(typeof(MappingConfig))]
-public unsafe class MappingBenchmarks
+[Config(typeof(ErrorConfig<MappingBenchmarks>))]
+public unsafe class MappingBenchmarks : IMeasuresErrors
 {
     internal const int Count = 4096;
     private readonly MappingData<double> _double = new();
@@ -87,11 +88,16 @@ public unsafe class MappingBenchmarks
     [Benchmark(OperationsPerInvoke = Count), BenchmarkCategory("float, 512 bits")]
     public void FloatLanes16() => _float.Map<Float16>(_mapping);
 
-    /// <summary>Worst error of a method on the points, ulp of its precision, against double-double angles.</summary>
-    internal double WorstUlp(string method)
+    /// <inheritdoc/>
+    public static IReadOnlyList<string> ErrorNames => ["ulp"];
+
+    /// <summary>Worst error of u or v on the points, ulp of the method's precision, against angles of 28 digits.</summary>
+    /// <inheritdoc/>
+    public IReadOnlyList<string> Errors(string method)
     {
         ((Action)Delegate.CreateDelegate(typeof(Action), this, method))();
-        return method.StartsWith("Float", StringComparison.Ordinal) ? _float.WorstUlp(24) : _double.WorstUlp(53);
+        double ulp = method.StartsWith("Float", StringComparison.Ordinal) ? _float.WorstUlp(24) : _double.WorstUlp(53);
+        return [ulp.ToString("F2", CultureInfo.InvariantCulture)];
     }
 
     private static void Check(Action first, Action second, Func<double[]> results)

@@ -46,6 +46,12 @@ internal sealed unsafe class RayRun<R, F, I> : IDisposable
             R.Put(_rays.Limit, i, double.PositiveInfinity);
         }
 
+        Nearest();
+    }
+
+    /// <summary>Nearest hits of the rays again.</summary>
+    public void Nearest()
+    {
         _rays.Narrow();
         _hits.Clear(_rays);
         _group.Nearest(0, _rays, _hits, 0, _rays.Packets);

@@ -56,7 +56,7 @@ internal sealed class ErrorSweep(BenchPlan plan, Measures measures, string work,
     });
 
     /// <summary>Root mean square difference of linear light: not of display codes, which would weigh dark pixels more.</summary>
-    private static double Rmse(Picture a, Picture b)
+    public static double Rmse(Picture a, Picture b)
     {
         double sum = 0;
         for (int i = 0; i < a.Pixels.Length; i++)
