@@ -16,10 +16,10 @@ internal static unsafe class PictureSamplers
         return store.Pixels.Format switch
         {
             PixelFormat.Rgba8 when transfer.IsLinear =>
-                new PictureSampler<Linear8Reader>(store, null, new Linear8Reader((int*)store.Samples), options, filter),
-            PixelFormat.Rgba8 => WithTable(store, transfer, (texels, table) => new Table8Reader((int*)texels, (float*)table), options, filter),
-            PixelFormat.Rgba16 => WithTable(store, transfer, (texels, table) => new Table16Reader((int*)texels, (float*)table), options, filter),
-            _ => new PictureSampler<FloatReader>(store, null, new FloatReader((float*)store.Samples), options, filter),
+                Sampler(store, null, new Linear8Reader((int*)store.Samples), isData, options, filter),
+            PixelFormat.Rgba8 => WithTable(store, transfer, (texels, table) => new Table8Reader((int*)texels, (float*)table), isData, options, filter),
+            PixelFormat.Rgba16 => WithTable(store, transfer, (texels, table) => new Table16Reader((int*)texels, (float*)table), isData, options, filter),
+            _ => Sampler(store, null, new FloatReader((float*)store.Samples), isData, options, filter),
         };
     }
 
@@ -35,14 +35,19 @@ internal static unsafe class PictureSamplers
         _ => isData ? TransferFunction.Linear : store.Pixels.Transfer,
     };
 
-    private static PictureSampler<TReader> WithTable<TReader>(
-        TexelStore store, TransferFunction transfer, Func<nint, nint, TReader> reader, SamplingOptions options, TextureFilter filter)
+    private static TextureSampler Sampler<TReader>(TexelStore store, float[]? table, TReader reader, bool isData, SamplingOptions options, TextureFilter filter)
+        where TReader : struct, ITexelReader => filter is TextureFilter.CatmullRom or TextureFilter.BSpline
+            ? new BicubicSampler<TReader>(store, table, reader, options, filter, isData)
+            : new PictureSampler<TReader>(store, table, reader, options, filter);
+
+    private static TextureSampler WithTable<TReader>(
+        TexelStore store, TransferFunction transfer, Func<nint, nint, TReader> reader, bool isData, SamplingOptions options, TextureFilter filter)
         where TReader : struct, ITexelReader
     {
         ReadOnlySpan<float> codes = ColorEncoding.DecodeTable(transfer, store.Pixels.Format);
         float[] table = GC.AllocateUninitializedArray<float>(codes.Length, pinned: true);
         codes.CopyTo(table);
         nint address = Marshal.UnsafeAddrOfPinnedArrayElement(table, 0);
-        return new PictureSampler<TReader>(store, table, reader((nint)store.Samples, address), options, filter);
+        return Sampler(store, table, reader((nint)store.Samples, address), isData, options, filter);
     }
 }

@@ -58,6 +58,55 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
         return Outside(coordinate);
     }
 
+    /// <summary>The four texels around a coordinate and their weights.</summary>
+    /// <param name="coordinate">u or v.</param>
+    /// <param name="filter">Catmull-Rom or B-spline.</param>
+    /// <param name="taps">Texels and weights.</param>
+    /// <returns>Mask of lanes outside the picture (border only).</returns>
+    /// <remarks>Texels beyond an end are those that the wrap puts there; with a border, those at the end.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public R Around<R, F, I>(R coordinate, TextureFilter filter, out CubicTaps<F, I> taps)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        R inside = Wrapped(coordinate);
+        R position = Texels == TexelConvention.Lab ? inside * R.Of(Size - 1) : R.Fma(inside, R.Of(Size), R.Of(-0.5));
+        R floor = R.Floor(position);
+        I texel = R.ToInt32(floor), one = I.Of(1);
+        taps = default;
+        taps.Weigh(filter, R.ToSingle(position - floor));
+        taps.Texel0 = Inside(texel - one);
+        taps.Texel1 = Inside(texel);
+        taps.Texel2 = Inside(texel + one);
+        taps.Texel3 = Inside(texel + I.Of(2));
+        return Outside(coordinate);
+    }
+
+    /// <summary>The texel that stands at a place up to two beyond an end of the picture.</summary>
+    private I Inside<I>(I texel)
+        where I : unmanaged, IIndexLane<I>
+    {
+        I zero = I.Of(0), size = I.Of(Size), last = I.Of(Size - 1);
+        if (Wrap == TextureWrap.Repeat && Texels == TexelConvention.Center)
+        {
+            // Twice: a picture may have a single texel.
+            for (int turn = 0; turn < 2; turn++)
+            {
+                texel = I.Select(I.Less(texel, zero), texel + size, I.Select(I.Less(last, texel), texel - size, texel));
+            }
+        }
+        else if (Wrap == TextureWrap.Mirror)
+        {
+            // Texels mirror at the edge of the last one; the sheet's nodes at the last node itself.
+            int edge = Texels == TexelConvention.Center ? 1 : 0;
+            texel = I.Select(I.Less(texel, zero), I.Of(-edge) - texel, texel);
+            texel = I.Select(I.Less(last, texel), last + last + I.Of(edge) - texel, texel);
+        }
+
+        return I.Min(I.Max(texel, zero), last);
+    }
+
     /// <summary>The coordinate brought into [0, 1].</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private R Wrapped<R>(R coordinate)

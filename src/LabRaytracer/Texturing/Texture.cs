@@ -118,6 +118,11 @@ public sealed class Texture : IPreparedTexture
             return Double1.Any(off) ? Intensity.Black : Texel(x.Value, y.Value);
         }
 
+        if (Sampling.Filter is TextureFilter.CatmullRom or TextureFilter.BSpline)
+        {
+            return Bicubic(across, up, u, v);
+        }
+
         Double1 outside = across.Between<Double1, Float1, Int1>(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between<Double1, Float1, Int1>(v, out Int1 y0, out Int1 y1, out Float1 above);
         Intensity below = Between(Texel(x0.Value, y0.Value), Texel(x1.Value, y0.Value), right.Value);
         Intensity top = Between(Texel(x0.Value, y1.Value), Texel(x1.Value, y1.Value), right.Value);
@@ -159,6 +164,16 @@ public sealed class Texture : IPreparedTexture
     private Intensity Texel(int x, int y) => _colorMap is not null
         ? _colorMap[x, y]
         : _store!.Value.Color(DecodeTable(_store.Value, isData: false), x, y);
+
+    /// <summary>The mean of 4 x 4 texels; in colour slots.</summary>
+    private Intensity Bicubic(in TexelAxis across, in TexelAxis up, Double1 u, Double1 v)
+    {
+        Double1 outside = across.Around(u, Sampling.Filter, out CubicTaps<Float1, Int1> columns) | up.Around(v, Sampling.Filter, out CubicTaps<Float1, Int1> rows);
+        ScalarTexelReader reader = new(Texel, Width, Height);
+        BicubicKernel<ScalarTexelReader> kernel = new(reader, reader.Start, Width, BicubicKernel<ScalarTexelReader>.Bounds(Sampling.Filter, isData: false));
+        kernel.Mean(columns, rows, out CubicColor<Float1> mean);
+        return Double1.Any(outside) ? Intensity.Black : new Intensity(mean.R.Value, mean.G.Value, mean.B.Value);
+    }
 
     private static Intensity Between(Intensity a, Intensity b, float weight) => new(
         MathF.FusedMultiplyAdd(weight, b.R - a.R, a.R),

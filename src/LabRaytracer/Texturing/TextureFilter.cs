@@ -8,4 +8,13 @@ public enum TextureFilter
 
     /// <summary>Four texels, weighted by nearness.</summary>
     Bilinear,
+
+    /// <summary>
+    /// Sixteen texels by the cubic of Catmull and Rom: sharp, goes through the texels. In colour slots a result that leaves the range of its sixteen texels
+    /// is set to the end of that range (nothing gets darker than black); in slots of numbers the overshoot is kept.
+    /// </summary>
+    CatmullRom,
+
+    /// <summary>Sixteen texels by the uniform cubic B-spline: soft, twice differentiable, never leaves the range of its texels.</summary>
+    BSpline,
 }
