@@ -35,18 +35,56 @@ public sealed class BoxMapping : IWideMapping
         return new TextureCoordinate(u.Value, v.Value);
     }
 
+    /// <inheritdoc/>
+    public MappingGradient Gradient(in SurfacePosition position)
+    {
+        Vector3D n = position.LocalNormal;
+        Slopes<Double1>(new(n.X), new(n.Y), new(n.Z), out GradientLanes<Double1> gradient);
+        return PointFormulas.Of(gradient);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static (T U, T V) Coordinates<T>(T x, T y, T z, T normalX, T normalY, T normalZ)
+        where T : unmanaged, IReal<T>
+    {
+        (T onX, T onY) = Face(normalX, normalY, normalZ);
+        T right = T.Select(onX, T.Select(T.Less(normalX, T.Zero), z, -z), T.Select(onY | T.LessOrEqual(T.Zero, normalZ), x, -x));
+        T up = T.Select(onY, T.Select(T.Less(normalY, T.Zero), z, -z), y);
+        return ((right + T.Of(1)) * T.Of(0.5), (up + T.Of(1)) * T.Of(0.5));
+    }
+
+    /// <summary>Masks of points on the sides across x, and on top or bottom.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static (T OnX, T OnY) Face<T>(T normalX, T normalY, T normalZ)
         where T : unmanaged, IReal<T>
     {
         T ax = T.Abs(normalX);
         T ay = T.Abs(normalY);
         T az = T.Abs(normalZ);
         T onX = T.LessOrEqual(ay, ax) & T.LessOrEqual(az, ax);
-        T onY = ~onX & T.LessOrEqual(az, ay);
-        T right = T.Select(onX, T.Select(T.Less(normalX, T.Zero), z, -z), T.Select(onY | T.LessOrEqual(T.Zero, normalZ), x, -x));
-        T up = T.Select(onY, T.Select(T.Less(normalY, T.Zero), z, -z), y);
-        return ((right + T.Of(1)) * T.Of(0.5), (up + T.Of(1)) * T.Of(0.5));
+        return (onX, ~onX & T.LessOrEqual(az, ay));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Slopes<T>(T normalX, T normalY, T normalZ, out GradientLanes<T> gradient)
+        where T : unmanaged, IReal<T>
+    {
+        (T onX, T onY) = Face(normalX, normalY, normalZ);
+        T half = T.Of(0.5);
+        gradient = default;
+        gradient.UZ = onX & T.Select(T.Less(normalX, T.Zero), half, -half);
+        gradient.UX = T.Select(onX, T.Zero, T.Select(onY | T.LessOrEqual(T.Zero, normalZ), half, -half));
+        gradient.VZ = onY & T.Select(T.Less(normalY, T.Zero), half, -half);
+        gradient.VY = T.Select(onY, T.Zero, half);
+    }
+
+    unsafe void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets)
+    {
+        for (int i = 0; i < packets; i++)
+        {
+            Slopes(positions.NormalX[i], positions.NormalY[i], positions.NormalZ[i], out GradientLanes<T> gradient);
+            gradients.Store(i, gradient);
+        }
     }
 
     unsafe void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets)

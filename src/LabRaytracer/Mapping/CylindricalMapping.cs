@@ -8,6 +8,7 @@ namespace LabRaytracer;
 /// arctangent of its Program 2 instead of atan(x / z), which folds opposite sides together.</para>
 /// <para>u in [0, 1), 0 on the axis; error at most 1 ulp (2 where x, z or u is below 1e-300 but not 0). v is correctly rounded, in [0, 1] for y in [-1, 1].
 /// The seam u = 0 is the line x = 0, z &gt; 0. Any finite radius gives the same result.</para>
+/// <para>The gradient of u is (z, 0, -x) / (2 pi rho²), continuous across the seam; rho below 2^-20 counts as 2^-20, so that its length is at most 2^20 / 2 pi.</para>
 /// <list type="table">
 /// <listheader><term>local point (x, y, z)</term><description>(u, v)</description></listheader>
 /// <item><term>(0, 0, 1)</term><description>(0, 0.5)</description></item>
@@ -33,8 +34,15 @@ public sealed class CylindricalMapping : IWideMapping
     [MethodImpl(MethodImplOptions.NoInlining)]
     public TextureCoordinate Map(in SurfacePosition position) => PointFormulas.Map<Formula>(position.LocalPoint);
 
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public MappingGradient Gradient(in SurfacePosition position) => PointFormulas.Gradient<Formula>(position.LocalPoint);
+
     void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
         PointFormulas.Map<Formula, R>(positions, coordinates, packets);
+
+    void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets) =>
+        PointFormulas.Gradients<Formula, T>(positions, gradients, packets);
 
     private readonly struct Formula : IPointFormula
     {
@@ -42,5 +50,16 @@ public sealed class CylindricalMapping : IWideMapping
         public static (T U, T V) Coordinates<T>(T x, T y, T z)
             where T : unmanaged, IReal<T> =>
             (Elementary.Atan2Turns(x, z), (y + T.Of(1)) * T.Of(0.5));
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
+            where T : unmanaged, IReal<T>
+        {
+            gradient = default;
+            AngleGradient<T> angle = new(x, z);
+            gradient.UX = angle.X;
+            gradient.UZ = angle.Z;
+            gradient.VY = T.Of(0.5);
+        }
     }
 }

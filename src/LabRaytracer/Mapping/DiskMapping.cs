@@ -7,6 +7,7 @@ namespace LabRaytracer;
 /// <para>u = phi / 2 pi with phi = atan2(x, z), v = rho with rho = sqrt(x² + z²).</para>
 /// <para>u in [0, 1), 0 at the centre; error at most 1 ulp (2 where x, z or u is below 1e-300 but not 0). v in [0, 1] on the disk, error at most 1 ulp.
 /// The centre is the bottom edge of the picture, the rim its top edge; seen from -Y the picture is not mirrored.</para>
+/// <para>The gradient of u is (z, 0, -x) / (2 pi rho²), continuous across the seam; rho below 2^-20 counts as 2^-20, so that its length is at most 2^20 / 2 pi. That of v is (x, 0, z) / rho.</para>
 /// <list type="table">
 /// <listheader><term>local point (x, y, z)</term><description>(u, v)</description></listheader>
 /// <item><term>(0, 0, 0)</term><description>(0, 0)</description></item>
@@ -32,13 +33,32 @@ public sealed class DiskMapping : IWideMapping
     [MethodImpl(MethodImplOptions.NoInlining)]
     public TextureCoordinate Map(in SurfacePosition position) => PointFormulas.Map<Formula>(position.LocalPoint);
 
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public MappingGradient Gradient(in SurfacePosition position) => PointFormulas.Gradient<Formula>(position.LocalPoint);
+
     void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
         PointFormulas.Map<Formula, R>(positions, coordinates, packets);
+
+    void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets) =>
+        PointFormulas.Gradients<Formula, T>(positions, gradients, packets);
 
     private readonly struct Formula : IPointFormula
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static (T U, T V) Coordinates<T>(T x, T y, T z)
             where T : unmanaged, IReal<T> => (Elementary.Atan2Turns(x, z), Elementary.Hypotenuse(x, z));
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
+            where T : unmanaged, IReal<T>
+        {
+            gradient = default;
+            AngleGradient<T> angle = new(x, z);
+            gradient.UX = angle.X;
+            gradient.UZ = angle.Z;
+            gradient.VX = angle.Sin;
+            gradient.VZ = angle.Cos;
+        }
     }
 }

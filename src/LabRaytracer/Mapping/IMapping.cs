@@ -18,4 +18,13 @@ public interface IMapping
     /// <param name="position">The point, in object space.</param>
     /// <returns>(u, v), v up. Finite for every finite point.</returns>
     TextureCoordinate Map(in SurfacePosition position);
+
+    /// <summary>How fast (u, v) changes with the local point: what filters and tangents are made of. Default: by differences of <see cref="Map"/> to both sides.</summary>
+    /// <param name="position">The point, in object space.</param>
+    /// <returns>Finite for every finite point; the same on both sides of a seam.</returns>
+    /// <remarks>
+    /// The built-in mappings know theirs in closed form. The default steps 2^-17 of the largest coordinate; whole turns between both ends of a step are a seam and do not
+    /// count, and where both sides disagree (an edge) the flatter one is taken. Its relative error is about 1e-10 where the mapping is smooth on the scale of 1e-5.
+    /// </remarks>
+    MappingGradient Gradient(in SurfacePosition position) => MappingDifferences.Gradient(this, position);
 }

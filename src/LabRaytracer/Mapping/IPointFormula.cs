@@ -6,4 +6,8 @@ internal interface IPointFormula
     /// <summary>Texture coordinates of local points.</summary>
     static abstract (T U, T V) Coordinates<T>(T x, T y, T z)
         where T : unmanaged, IReal<T>;
+
+    /// <summary>Gradients of u and v with respect to the local points.</summary>
+    static abstract void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
+        where T : unmanaged, IReal<T>;
 }

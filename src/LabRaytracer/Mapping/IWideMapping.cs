@@ -12,4 +12,11 @@ internal interface IWideMapping : IMapping
     /// <param name="packets">Number of groups of <c>R.Width</c> points.</param>
     void Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets)
         where R : unmanaged, IReal<R>;
+
+    /// <summary>Gradients of the first <paramref name="packets"/> groups of lanes.</summary>
+    /// <param name="positions">Points.</param>
+    /// <param name="gradients">Where the gradients of u and v go.</param>
+    /// <param name="packets">Number of groups of <c>T.Width</c> points.</param>
+    void Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets)
+        where T : unmanaged, IReal<T>;
 }

@@ -19,6 +19,22 @@ public sealed class MeshMapping : IWideMapping
     /// <inheritdoc/>
     public TextureCoordinate Map(in SurfacePosition position) => position.Surface;
 
+    /// <inheritdoc/>
+    public MappingGradient Gradient(in SurfacePosition position) => position.SurfaceGradient;
+
+    unsafe void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets)
+    {
+        Copy(positions.SurfaceGradient.UX, gradients.UX, packets);
+        Copy(positions.SurfaceGradient.UY, gradients.UY, packets);
+        Copy(positions.SurfaceGradient.UZ, gradients.UZ, packets);
+        Copy(positions.SurfaceGradient.VX, gradients.VX, packets);
+        Copy(positions.SurfaceGradient.VY, gradients.VY, packets);
+        Copy(positions.SurfaceGradient.VZ, gradients.VZ, packets);
+    }
+
+    private static unsafe void Copy<T>(T* from, T* to, int packets)
+        where T : unmanaged => new ReadOnlySpan<T>(from, packets).CopyTo(new Span<T>(to, packets));
+
     unsafe void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets)
     {
         new ReadOnlySpan<R>(positions.SurfaceU, packets).CopyTo(new Span<R>(coordinates.U, packets));

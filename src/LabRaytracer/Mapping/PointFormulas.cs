@@ -18,6 +18,32 @@ internal static class PointFormulas
         return new TextureCoordinate(u.Value, v.Value);
     }
 
+    /// <summary>Gradient at one point.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static MappingGradient Gradient<TFormula>(Point3D point)
+        where TFormula : struct, IPointFormula
+    {
+        TFormula.Gradient(new Double1(point.X), new Double1(point.Y), new Double1(point.Z), out GradientLanes<Double1> g);
+        return Of(g);
+    }
+
+    /// <summary>One gradient as a public value.</summary>
+    public static MappingGradient Of(in GradientLanes<Double1> g) =>
+        new(new Vector3D(g.UX.Value, g.UY.Value, g.UZ.Value), new Vector3D(g.VX.Value, g.VY.Value, g.VZ.Value));
+
+    /// <summary>Gradients of the first groups of lanes of a batch.</summary>
+    public static unsafe void Gradients<TFormula, T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets)
+        where TFormula : struct, IPointFormula
+        where T : unmanaged, IReal<T>
+    {
+        PositionBatch<T> points = positions;
+        for (int i = 0; i < packets; i++)
+        {
+            TFormula.Gradient(points.X[i], points.Y[i], points.Z[i], out GradientLanes<T> g);
+            gradients.Store(i, g);
+        }
+    }
+
     /// <summary>Maps the first groups of lanes of a batch.</summary>
     public static unsafe void Map<TFormula, R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets)
         where TFormula : struct, IPointFormula

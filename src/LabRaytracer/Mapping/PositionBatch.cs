@@ -13,4 +13,7 @@ internal unsafe struct PositionBatch<R>
 
     /// <summary>The shape's own coordinates; only written by shapes that have them.</summary>
     public R* SurfaceU, SurfaceV;
+
+    /// <summary>Gradient of the shape's own coordinates; only written by shapes that have them, for mappings' gradients.</summary>
+    public GradientBatch<R> SurfaceGradient;
 }

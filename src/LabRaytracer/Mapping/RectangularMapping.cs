@@ -29,8 +29,15 @@ public sealed class RectangularMapping : IWideMapping
     [MethodImpl(MethodImplOptions.NoInlining)]
     public TextureCoordinate Map(in SurfacePosition position) => PointFormulas.Map<Formula>(position.LocalPoint);
 
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public MappingGradient Gradient(in SurfacePosition position) => PointFormulas.Gradient<Formula>(position.LocalPoint);
+
     void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
         PointFormulas.Map<Formula, R>(positions, coordinates, packets);
+
+    void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets) =>
+        PointFormulas.Gradients<Formula, T>(positions, gradients, packets);
 
     private readonly struct Formula : IPointFormula
     {
@@ -40,6 +47,14 @@ public sealed class RectangularMapping : IWideMapping
         {
             T half = T.Of(0.5);
             return ((z + T.Of(1)) * half, (x + T.Of(1)) * half);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
+            where T : unmanaged, IReal<T>
+        {
+            gradient = default;
+            gradient.UZ = gradient.VX = T.Of(0.5);
         }
     }
 }

@@ -9,6 +9,8 @@ namespace LabRaytracer;
 /// <para>u in [0, 1), v in [0, 1]; both within 1 ulp for every finite point, whatever its distance from the origin
 /// (2 ulp where a coordinate or u or v, other than 0, is below 1e-300, at the end of what doubles can tell apart).
 /// u = 0 on the axis, v = 1/2 at the origin. The seam u = 0 is the half meridian x = 0, z &gt; 0. A picture of aspect 2:1 fits.</para>
+/// <para>The gradient of u is (z, 0, -x) / (2 pi rho²) with rho = sqrt(x² + z²), continuous across the seam; rho below 2^-20 of the largest coordinate counts as that,
+/// so that on the unit sphere its length is at most 2^20 / 2 pi. That of v is (-x y, rho², -z y) / (pi rho r²), of length 1 / (pi r). Both are 0 at the origin.</para>
 /// <list type="table">
 /// <listheader><term>local point (x, y, z)</term><description>(u, v)</description></listheader>
 /// <item><term>(0, 0, 1)</term><description>(0, 0.5)</description></item>
@@ -37,13 +39,41 @@ public sealed class SphericalMapping : IWideMapping
     /// <inheritdoc/>
     public TextureCoordinate Map(in SurfacePosition position) => Map(position.LocalPoint);
 
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public MappingGradient Gradient(in SurfacePosition position) => PointFormulas.Gradient<Formula>(position.LocalPoint);
+
     void IWideMapping.Map<R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets) =>
         PointFormulas.Map<Formula, R>(positions, coordinates, packets);
+
+    void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets) =>
+        PointFormulas.Gradients<Formula, T>(positions, gradients, packets);
 
     private readonly struct Formula : IPointFormula
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static (T U, T V) Coordinates<T>(T x, T y, T z)
             where T : unmanaged, IReal<T> => Elementary.SphereTurns(x, y, z);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
+            where T : unmanaged, IReal<T>
+        {
+            T size = T.Max(T.Max(T.Abs(x), T.Abs(y)), T.Abs(z));
+            T isCenter = T.Less(size, T.Of(T.IsSingle ? 1e-30 : 1e-300));
+            T scale = T.Select(isCenter, T.Zero, T.Of(1) / size);
+            x *= scale;
+            y *= scale;
+            z *= scale;
+            AngleGradient<T> angle = new(x, z);
+            T distance = T.Fma(x, angle.Sin, z * angle.Cos);
+            T slope = scale * T.Of(0.3183098861837907) / T.Select(isCenter, T.Of(1), T.Fma(y, y, distance * distance));
+            gradient = default;
+            gradient.UX = scale * angle.X;
+            gradient.UZ = scale * angle.Z;
+            gradient.VX = -y * angle.Sin * slope;
+            gradient.VY = distance * slope;
+            gradient.VZ = -y * angle.Cos * slope;
+        }
     }
 }

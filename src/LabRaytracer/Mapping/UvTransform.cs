@@ -54,6 +54,22 @@ public sealed record UvTransform
         return new TextureCoordinate(u.Value, v.Value);
     }
 
+    /// <summary>The transformed footprint: its steps are scaled and turned, not moved.</summary>
+    /// <param name="footprint">Steps in texture space.</param>
+    public TextureFootprint Apply(in TextureFootprint footprint)
+    {
+        (Double1 ux, Double1 vx) = ApplyToStep(new Double1(footprint.DuDx), new Double1(footprint.DvDx));
+        (Double1 uy, Double1 vy) = ApplyToStep(new Double1(footprint.DuDy), new Double1(footprint.DvDy));
+        return new TextureFootprint(ux.Value, vx.Value, uy.Value, vy.Value);
+    }
+
+    /// <summary>A transformed step, any number at a time.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal (T U, T V) ApplyToStep<T>(T u, T v)
+        where T : unmanaged, IReal<T> => (
+            T.Fma(T.Of(_uu), u, T.Of(_uv) * v),
+            T.Fma(T.Of(_vu), u, T.Of(_vv) * v));
+
     /// <summary>The transformed coordinates, any number at a time.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal (T U, T V) Apply<T>(T u, T v)

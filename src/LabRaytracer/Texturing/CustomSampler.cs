@@ -7,6 +7,7 @@ internal sealed unsafe class CustomSampler(ITexture texture) : TextureSampler
     {
         bool needsCoordinate = (texture.Needs & TextureNeeds.Coordinate) != 0;
         bool needsPoint = (texture.Needs & TextureNeeds.LocalPoint) != 0;
+        bool needsFootprint = (texture.Needs & TextureNeeds.Footprint) != 0;
         for (int i = 0; i < lookups.Count; i++)
         {
             TextureCoordinate coordinate = needsCoordinate
@@ -18,7 +19,10 @@ internal sealed unsafe class CustomSampler(ITexture texture) : TextureSampler
             Vector3D normal = needsPoint
                 ? new(R.Take(lookups.Positions.NormalX, i), R.Take(lookups.Positions.NormalY, i), R.Take(lookups.Positions.NormalZ, i))
                 : default;
-            colors.Put(i, texture.Sample(new TextureLookup(coordinate, point, normal, lookups.WrapU, lookups.WrapV)));
+            colors.Put(i, texture.Sample(new TextureLookup(
+                coordinate, point, normal, lookups.WrapU, lookups.WrapV,
+                needsFootprint && needsCoordinate ? lookups.Footprints.Take(i) : default,
+                needsFootprint && needsPoint ? lookups.LocalFootprints.Take(i) : default)));
         }
     }
 }

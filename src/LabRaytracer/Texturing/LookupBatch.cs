@@ -11,6 +11,12 @@ internal unsafe struct LookupBatch<R>
     /// <summary>Local points and normals; written if the texture needs them.</summary>
     public PositionBatch<R> Positions;
 
+    /// <summary>What samples cover of texture space; written if the texture needs it.</summary>
+    public FootprintColumns Footprints;
+
+    /// <summary>What samples cover of the surface; written if the texture needs it.</summary>
+    public LocalFootprintColumns LocalFootprints;
+
     /// <summary>Wrap that the mapping suggests.</summary>
     public TextureWrap WrapU, WrapV;
 

@@ -6,13 +6,17 @@ namespace LabRaytracer;
 /// <param name="LocalNormal">Outward normal there, length 1. Meaningful if the texture needs the local point.</param>
 /// <param name="WrapU">Wrap in u that the mapping suggests.</param>
 /// <param name="WrapV">Wrap in v that the mapping suggests.</param>
+/// <param name="Footprint">What the sample covers of texture space, after the slot's uv transform. Meaningful if the texture needs footprint and coordinates.</param>
+/// <param name="LocalFootprint">What the sample covers of the surface, object space. Meaningful if the texture needs footprint and local point.</param>
 /// <remarks>Immutable, thread safe.</remarks>
 public readonly record struct TextureLookup(
     TextureCoordinate Coordinate,
     Point3D LocalPoint = default,
     Vector3D LocalNormal = default,
     TextureWrap WrapU = TextureWrap.Repeat,
-    TextureWrap WrapV = TextureWrap.Repeat)
+    TextureWrap WrapV = TextureWrap.Repeat,
+    TextureFootprint Footprint = default,
+    SurfaceFootprint LocalFootprint = default)
 {
     /// <summary>A lookup by (u, v) alone.</summary>
     /// <param name="u">Horizontal coordinate.</param>

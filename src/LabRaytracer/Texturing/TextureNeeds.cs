@@ -12,4 +12,9 @@ public enum TextureNeeds
 
     /// <summary>The local point (x, y, z) and its normal: a 3D texture.</summary>
     LocalPoint = 2,
+
+    /// <summary>
+    /// What a sample covers: of texture space with <see cref="Coordinate"/>, of the surface with <see cref="LocalPoint"/>. Rays then carry their differentials.
+    /// </summary>
+    Footprint = 4,
 }

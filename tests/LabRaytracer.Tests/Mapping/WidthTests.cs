@@ -30,6 +30,28 @@ public sealed class WidthTests
         SameBits(expected, WideMapping.Map<Float16>(mapping, Points));
     }
 
+    [Theory]
+    [MemberData(nameof(Mappings))]
+    public void Gradient_EveryDoubleWidth_SameBitsAsSingleCallAndFinite(IMapping mapping)
+    {
+        MappingGradient[] expected = [.. Points.Select(point => mapping.Gradient(point))];
+        Assert.All(Points.Zip(expected), pair => Assert.True(!pair.First.LocalPoint.IsFinite || (pair.Second.U.IsFinite && pair.Second.V.IsFinite)));
+        Assert.Equal(expected, WideMapping.Gradients<Double1>(mapping, Points));
+        Assert.Equal(expected, WideMapping.Gradients<Double4>(mapping, Points));
+        Assert.Equal(expected, WideMapping.Gradients<Double8>(mapping, Points));
+        Assert.Equal(expected, WideMapping.Gradients<Double16>(mapping, Points));
+    }
+
+    [Theory]
+    [MemberData(nameof(Mappings))]
+    public void Gradient_EveryFloatWidth_SameBits(IMapping mapping)
+    {
+        MappingGradient[] expected = WideMapping.Gradients<Float1>(mapping, Points);
+        Assert.Equal(expected, WideMapping.Gradients<Float4>(mapping, Points));
+        Assert.Equal(expected, WideMapping.Gradients<Float8>(mapping, Points));
+        Assert.Equal(expected, WideMapping.Gradients<Float16>(mapping, Points));
+    }
+
     [Fact]
     public void Map_EveryPointAndPrecision_StaysInRange()
     {

@@ -22,6 +22,30 @@ internal static unsafe class WideMapping
         return (u.ToArray(), v.ToArray());
     }
 
+    /// <summary>Gradients of points through the batch door at the width and precision of a lane type.</summary>
+    public static MappingGradient[] Gradients<T>(IMapping mapping, IReadOnlyList<SurfacePosition> positions)
+        where T : unmanaged, IReal<T>
+    {
+        LaneColumn<T> Column(Func<SurfacePosition, double> number) => new([.. positions.Select(number)]);
+        using LaneColumn<T> x = Column(p => p.LocalPoint.X), y = Column(p => p.LocalPoint.Y), z = Column(p => p.LocalPoint.Z);
+        using LaneColumn<T> nx = Column(p => p.LocalNormal.X), ny = Column(p => p.LocalNormal.Y), nz = Column(p => p.LocalNormal.Z);
+        using LaneMemory memory = new();
+        var batch = new PositionBatch<T>
+        {
+            X = x.Lanes, Y = y.Lanes, Z = z.Lanes,
+            NormalX = nx.Lanes, NormalY = ny.Lanes, NormalZ = nz.Lanes,
+            SurfaceGradient = new GradientBatch<T>(memory, positions.Count),
+        };
+        GradientBatch<T> gradients = new(memory, positions.Count);
+        for (int i = 0; i < positions.Count; i++)
+        {
+            batch.SurfaceGradient.Put(i, positions[i].SurfaceGradient);
+        }
+
+        ((IWideMapping)mapping).Gradients(batch, gradients, x.Packets);
+        return [.. Enumerable.Range(0, positions.Count).Select(i => gradients.Take(i))];
+    }
+
     /// <summary>Applies a function of two numbers at the width and precision of a lane type.</summary>
     public static double[] Apply<R>(Func<R, R, R> function, IReadOnlyList<double> first, IReadOnlyList<double> second)
         where R : unmanaged, IReal<R>

@@ -1,0 +1,33 @@
+namespace LabRaytracer;
+
+/// <summary>Columns of footprints in texture space; floats, read as lanes of any width.</summary>
+internal readonly unsafe struct FootprintColumns
+{
+    /// <summary>Change of u and v over one sample to the right.</summary>
+    public readonly float* DuDx, DvDx;
+
+    /// <summary>Change of u and v over one sample down.</summary>
+    public readonly float* DuDy, DvDy;
+
+    /// <param name="memory">Owns the columns.</param>
+    /// <param name="capacity">Floats in each; a whole number of the widest lanes.</param>
+    public FootprintColumns(LaneMemory memory, int capacity)
+    {
+        DuDx = (float*)memory.Column<Float16>(capacity, Float16.Width);
+        DvDx = (float*)memory.Column<Float16>(capacity, Float16.Width);
+        DuDy = (float*)memory.Column<Float16>(capacity, Float16.Width);
+        DvDy = (float*)memory.Column<Float16>(capacity, Float16.Width);
+    }
+
+    /// <summary>Writes one footprint, rounded.</summary>
+    public void Put(int element, in TextureFootprint footprint)
+    {
+        DuDx[element] = (float)footprint.DuDx;
+        DvDx[element] = (float)footprint.DvDx;
+        DuDy[element] = (float)footprint.DuDy;
+        DvDy[element] = (float)footprint.DvDy;
+    }
+
+    /// <summary>Reads one footprint.</summary>
+    public TextureFootprint Take(int element) => new(DuDx[element], DvDx[element], DuDy[element], DvDy[element]);
+}
