@@ -80,7 +80,7 @@ internal static class PictureOutput
     private static string Describe(RenderOptions options)
     {
         string text = string.Create(CultureInfo.InvariantCulture, $"--size {options.Width}x{options.Height} --samples {options.Samples}");
-        text += $" --pattern {options.Pattern} --precision {(options.Precision == Precision.Double ? "double" : "float")} --view {options.View}".ToLowerInvariant();
+        text += $" --pattern {options.Pattern} --precision {RenderSettings.Word(options.Precision)} --view {options.View}".ToLowerInvariant();
         text += string.Create(CultureInfo.InvariantCulture, $" --seed {options.Seed}");
         text += options.Filter is { } filter ? $" --filter {filter}".ToLowerInvariant() : "";
         return text + (options.Crop is { } crop ? string.Create(CultureInfo.InvariantCulture, $" --crop {crop.X},{crop.Y},{crop.Width},{crop.Height}") : "");

@@ -6,7 +6,7 @@ namespace RenderScene;
 /// <summary>The options that change how a scene is rendered.</summary>
 internal sealed class RenderSettings
 {
-    private static readonly Dictionary<string, object> s_precisions = new() { ["double"] = Precision.Double, ["float"] = Precision.Single };
+    private static readonly Dictionary<string, object> s_precisions = new() { ["double"] = Precision.Double, ["float"] = Precision.Single, ["exact"] = Precision.Exact };
 
     private static readonly Dictionary<string, object> s_filters = Words(typeof(TextureFilter));
 
@@ -24,13 +24,16 @@ internal sealed class RenderSettings
 
     private readonly Option<string?> _threads = new("--threads") { HelpName = "N", Description = "Threads; the picture does not depend on them. Default: all processors." };
 
-    private readonly Option<string?> _precision = Choice("--precision", "Precision of geometry", s_precisions.Keys);
+    private readonly Option<string?> _precision = Choice("--precision", "Precision of geometry; exact: the last digits of every hit", s_precisions.Keys);
 
     private readonly Option<string?> _filter = Choice("--filter", "Filter of all picture textures", s_filters.Keys);
 
     private readonly Option<string?> _crop = new("--crop") { HelpName = "X,Y,W,H", Description = "Render this part of the picture only; (0, 0) is the top left pixel." };
 
     private readonly Option<string?> _view = Choice("--view", "What the picture shows", s_views.Keys);
+
+    /// <summary>The word of a precision.</summary>
+    public static string Word(Precision precision) => s_precisions.First(word => precision.Equals(word.Value)).Key;
 
     /// <summary>All of them, to add to a command.</summary>
     public IEnumerable<Option> All => [_size, _samples, _pattern, _seed, _threads, _precision, _filter, _crop, _view];

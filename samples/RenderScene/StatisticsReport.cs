@@ -26,6 +26,8 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
         ("primaryRays", "rays from the camera", statistics.PrimaryRays),
         ("secondaryRays", "reflected and refracted rays", statistics.SecondaryRays),
         ("secondaryRaysSkipped", "  skipped: too faint to be seen", statistics.SecondaryRaysSkipped),
+        ("hits", "visible hits", statistics.Hits),
+        ("hitsRefined", "  refined: twice the digits", statistics.HitsRefined),
         ("shadowRays", "shadow rays", statistics.ShadowRays),
         ("shadowRaysSkipped", "  skipped: no light from there", statistics.ShadowRaysSkipped),
         ("mappings", "mappings evaluated", statistics.Mappings),
@@ -87,7 +89,7 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
         json.WriteNumber("height", options.Height);
         json.WriteNumber("samples", options.Samples);
         json.WriteNumber("threads", options.Threads);
-        json.WriteString("precision", options.Precision == Precision.Double ? "double" : "float");
+        json.WriteString("precision", RenderSettings.Word(options.Precision));
         foreach ((string key, _, double value) in Times)
         {
             json.WriteNumber(key, value);

@@ -57,9 +57,11 @@ internal sealed unsafe class RayRun<R, F, I> : IDisposable
         _group.Nearest(0, _rays, _hits, 0, _rays.Packets);
     }
 
-    /// <summary>Surface points of all rays that hit.</summary>
-    public void Surface()
+    /// <summary>Surface points of all rays that hit; t becomes as accurate as is promised.</summary>
+    /// <param name="precision">Double, or exact in double lanes.</param>
+    public void Surface(Precision precision = Precision.Double)
     {
+        SurfaceNeeds needs = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates;
         int[] hit = [.. Enumerable.Range(0, _rays.Count).Where(IsHit)];
         for (int i = 0; i < hit.Length + 16; i++)
         {
@@ -72,7 +74,7 @@ internal sealed unsafe class RayRun<R, F, I> : IDisposable
             _elements[hit[i]] = i;
         }
 
-        _group.Surface(_rays, _hits, _order, hit.Length, _memberOfObject, Surfaces, SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates);
+        _group.Surface(_rays, _hits, _order, hit.Length, _memberOfObject, Surfaces, precision == Precision.Exact ? needs | SurfaceNeeds.Sharp : needs);
     }
 
     /// <summary>Number of a ray's surface point.</summary>

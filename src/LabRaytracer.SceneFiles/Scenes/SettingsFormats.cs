@@ -19,7 +19,7 @@ internal static class SettingsFormats
     private static readonly Key<int> s_seed = Key.Optional("seed", new IntegerFormat(int.MinValue, int.MaxValue), s_render.Seed, "Number that random choices derive from.");
 
     private static readonly Key<Precision> s_precision = Key.Optional(
-        "precision", ChoiceFormat.Of<Precision>(), s_render.Precision, "Precision of geometry and mapping; single is for previews.");
+        "precision", ChoiceFormat.Of<Precision>(), s_render.Precision, "Precision of geometry and mapping; single is for previews, exact computes the last digits of every hit.");
 
     private static readonly Key<TransferFunction> s_encoding = Key.Optional(
         "encoding", new ChoiceFormat<TransferFunction>(("srgb", TransferFunction.Srgb), ("linear", TransferFunction.Linear)), TransferFunction.Srgb, "What the codes of the written picture mean.");

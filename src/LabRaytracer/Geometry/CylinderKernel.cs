@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -68,8 +69,38 @@ internal readonly struct CylinderKernel : IShapeKernel
             z = R.Select(isRough, precise.Z, z);
         }
 
+        s = Place(shape, x, y, z);
+    }
+
+    /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Sharpen<R, P>(in P shape, in RayLanes<R> ray, ref R t, ref SurfaceLanes<R> s)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        PreciseCylinderHit<R> precise = Precise(shape, ray, centred.K);
+        t = R.Select(precise.IsHit, precise.T, t);
+        for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(open);
+            Point3D center = new(R.Get(shape[CenterX], lane), R.Get(shape[CenterY], lane), R.Get(shape[CenterZ], lane));
+            double exact = ExactDistance.OfCylinder(RoundedParameter.Lane(ray, lane), center, R.Get(shape[Radius], lane), R.Get(shape[HalfHeight], lane));
+            t = RoundedParameter.Replace(t, lane, exact);
+        }
+
+        s = SurfaceLanes.Select(precise.IsHit, Place(shape, precise.X, precise.Y, precise.Z), s);
+    }
+
+    /// <summary>The surface at a point relative to the centre, which is put back onto the mantle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static SurfaceLanes<R> Place<R, P>(in P shape, R x, R y, R z)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R radius = shape[Radius], halfHeight = shape[HalfHeight];
         R toUnit = R.Of(1) / R.Sqrt(R.Fma(x, x, z * z));
-        s = default;
+        SurfaceLanes<R> s = default;
         s.LocalX = x * toUnit;
         s.LocalY = y / halfHeight;
         s.LocalZ = z * toUnit;
@@ -79,6 +110,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         s.PointY = shape[CenterY] + y;
         s.PointZ = R.Fma(radius, s.LocalZ, shape[CenterZ]);
         s.Slack = Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + radius + halfHeight);
+        return s;
     }
 
     /// <summary>Steps s from the nearest point l to the nearest hit ahead between the ends.</summary>

@@ -27,6 +27,9 @@ internal sealed unsafe class HitBatch<R, F, I>
     /// <summary>Number of the shape's part.</summary>
     public readonly I* Part;
 
+    /// <summary>Hits whose ray parameter has become more accurate when their surface was computed.</summary>
+    public long Refined;
+
     public HitBatch(LaneMemory memory, int capacity)
     {
         T = memory.Column<R>(capacity, R.Width);
@@ -39,6 +42,7 @@ internal sealed unsafe class HitBatch<R, F, I>
     /// <summary>Forgets all hits: every distance becomes the ray's limit.</summary>
     public void Clear(RayBatch<R, F, I> rays)
     {
+        Refined = 0;
         I miss = I.Of(Miss);
         for (int packet = 0; packet < rays.Packets; packet++)
         {

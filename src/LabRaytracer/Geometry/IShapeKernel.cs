@@ -63,4 +63,15 @@ internal interface IShapeKernel
     static abstract void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
+
+    /// <summary>Makes t correctly rounded and the point as accurate as twice the digits allow, where the shape can; the rest stays. Double lanes only.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">Ray parameters as <see cref="Surface"/> left them.</param>
+    /// <param name="s">The surface as <see cref="Surface"/> wrote it.</param>
+    static virtual void Sharpen<R, P>(in P shape, in RayLanes<R> ray, ref R t, ref SurfaceLanes<R> s)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+    }
 }

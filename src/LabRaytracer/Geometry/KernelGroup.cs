@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Shapes whose formulas are a kernel.</summary>
@@ -95,7 +97,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             SurfaceLanes<R> s;
             if (_numberOfMember.Count == 1)
             {
-                K.Surface(new SharedParameters<R, F, I>(_numbers, 0), ray, ref t, out s);
+                Surface(new SharedParameters<R, F, I>(_numbers, 0), ray, ref t, out s, needs);
             }
             else
             {
@@ -103,12 +105,12 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
                 I number = run.Collect(hits.Object);
                 if (I.AllEqual(number, one))
                 {
-                    K.Surface(new SharedParameters<R, F, I>(_numbers, memberOfObject[one] * K.ParameterCount), ray, ref t, out s);
+                    Surface(new SharedParameters<R, F, I>(_numbers, memberOfObject[one] * K.ParameterCount), ray, ref t, out s, needs);
                 }
                 else
                 {
                     I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
-                    K.Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, ref t, out s);
+                    Surface(new GatheredParameters<R, F, I>(_numbers, first), ray, ref t, out s, needs);
                 }
             }
 
@@ -120,12 +122,25 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Surface<P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s, SurfaceNeeds needs)
+        where P : struct, IParameters<R>
+    {
+        K.Surface(shape, ray, ref t, out s);
+        if ((needs & SurfaceNeeds.Sharp) != 0)
+        {
+            K.Sharpen(shape, ray, ref t, ref s);
+        }
+    }
+
     private static void KeepRefined(HitBatch<R, F, I> hits, int* order, int count, int packet, R t)
     {
         int first = packet * R.Width;
         for (int lane = 0; lane < R.Width && first + lane < count; lane++)
         {
-            R.Put(hits.T, order[first + lane], R.Get(t, lane));
+            double refined = R.Get(t, lane);
+            hits.Refined += refined == R.Take(hits.T, order[first + lane]) ? 0 : 1;
+            R.Put(hits.T, order[first + lane], refined);
         }
     }
 

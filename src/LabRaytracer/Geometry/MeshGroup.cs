@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace LabRaytracer;
 
 /// <summary>Meshes of a scene, each with its own tree of boxes.</summary>
@@ -139,13 +137,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     private void Merge(int member, I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, ref SurfaceLanes<R> s)
     {
         Compute(member, run.Collect(hits.Part) & mask, rays, hits, run, out SurfaceLanes<R> own);
-        R isOwn = R.MaskFromInt32(mask);
-        Span<R> merged = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new Span<SurfaceLanes<R>>(ref s));
-        ReadOnlySpan<R> added = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new ReadOnlySpan<SurfaceLanes<R>>(ref own));
-        for (int k = 0; k < merged.Length; k++)
-        {
-            merged[k] = R.Select(isOwn, added[k], merged[k]);
-        }
+        s = SurfaceLanes.Select(R.MaskFromInt32(mask), own, s);
     }
 
     private RayLanes<R> ToObject(int member, in RayLanes<R> ray) => isTransformed ? WorldSpace.ToObject(Transform(member), ray) : ray;

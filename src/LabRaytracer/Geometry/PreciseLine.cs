@@ -28,9 +28,9 @@ internal readonly struct PreciseLine<R>
         Z = Move(ray.OriginZ, centerZ, k, ray.DirectionZ);
     }
 
-    /// <summary>The ray parameter, rounded once.</summary>
+    /// <summary>The ray parameter.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public R Parameter(in DoubleWord<R> along) => (new DoubleWord<R>(_k, R.Zero) + along).High;
+    public DoubleWord<R> Parameter(in DoubleWord<R> along) => new DoubleWord<R>(_k, R.Zero) + along;
 
     /// <summary>A point, relative to the centre, rounded.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -129,8 +130,38 @@ internal readonly struct SphereKernel : IShapeKernel
             z = R.Select(isRough, precise.Z, z);
         }
 
+        s = Place(shape, x, y, z);
+    }
+
+    /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Sharpen<R, P>(in P shape, in RayLanes<R> ray, ref R t, ref SurfaceLanes<R> s)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], shape[Radius], centred.K);
+        t = R.Select(precise.IsHit, precise.T, t);
+        for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(open);
+            Point3D center = new(R.Get(shape[CenterX], lane), R.Get(shape[CenterY], lane), R.Get(shape[CenterZ], lane));
+            t = RoundedParameter.Replace(t, lane, ExactDistance.OfSphere(RoundedParameter.Lane(ray, lane), center, R.Get(shape[Radius], lane)));
+        }
+
+        SurfaceLanes<R> sharp = Place(shape, precise.X, precise.Y, precise.Z);
+        s = SurfaceLanes.Select(precise.IsHit, sharp, s);
+    }
+
+    /// <summary>The surface at a point relative to the centre, which is put back onto the sphere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static SurfaceLanes<R> Place<R, P>(in P shape, R x, R y, R z)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R radius = shape[Radius];
         R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z));
-        s = default;
+        SurfaceLanes<R> s = default;
         s.LocalX = x * toUnit;
         s.LocalY = y * toUnit;
         s.LocalZ = z * toUnit;
@@ -141,6 +172,7 @@ internal readonly struct SphereKernel : IShapeKernel
         s.PointY = R.Fma(radius, s.LocalY, shape[CenterY]);
         s.PointZ = R.Fma(radius, s.LocalZ, shape[CenterZ]);
         s.Slack = Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + radius);
+        return s;
     }
 
     /// <summary>Half the chord in units of the direction (0 for a miss) around l + step d; returns the squared half chord in object units, below 0 for a miss.</summary>

@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace LabRaytracer;
 
 /// <summary>The geometry of hits, as many as a lane type is wide: what a kernel computes of <see cref="SurfacePoint"/>.</summary>
@@ -30,6 +32,21 @@ internal struct SurfaceLanes<R>
 /// <summary>Between one surface point and lanes.</summary>
 internal static class SurfaceLanes
 {
+    /// <summary>Lane by lane, one or the other.</summary>
+    public static SurfaceLanes<R> Select<R>(R mask, in SurfaceLanes<R> yes, in SurfaceLanes<R> no)
+        where R : unmanaged, IReal<R>
+    {
+        SurfaceLanes<R> selected = no;
+        Span<R> result = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new Span<SurfaceLanes<R>>(ref selected));
+        ReadOnlySpan<R> added = MemoryMarshal.Cast<SurfaceLanes<R>, R>(new ReadOnlySpan<SurfaceLanes<R>>(in yes));
+        for (int k = 0; k < result.Length; k++)
+        {
+            result[k] = R.Select(mask, added[k], result[k]);
+        }
+
+        return selected;
+    }
+
     /// <summary>A surface point as one lane.</summary>
     public static SurfaceLanes<Double1> Of(in SurfacePoint s) => new()
     {

@@ -15,4 +15,7 @@ internal enum SurfaceNeeds
 
     /// <summary>The shape's own texture coordinates.</summary>
     SurfaceCoordinates = 4,
+
+    /// <summary>Not a column: t and the point are computed as accurately as the shape can (<see cref="IShapeKernel.Sharpen"/>). Double lanes only.</summary>
+    Sharp = 8,
 }

@@ -38,4 +38,17 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
         K.Surface(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), WorldSpace.ToObject(shape, ray), ref t, out s);
         WorldSpace.FromObject(shape, ref s);
     }
+
+    /// <remarks>t is that of the ray in object space, whose numbers are rounded.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Sharpen<R, P>(in P shape, in RayLanes<R> ray, ref R t, ref SurfaceLanes<R> s)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        OffsetParameters<R, P> own = new(shape, WorldSpace.ParameterCount);
+        RayLanes<R> objectRay = WorldSpace.ToObject(shape, ray);
+        K.Surface(own, objectRay, ref t, out s);
+        K.Sharpen(own, objectRay, ref t, ref s);
+        WorldSpace.FromObject(shape, ref s);
+    }
 }

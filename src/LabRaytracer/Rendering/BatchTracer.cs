@@ -15,11 +15,13 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private readonly LightStage<R, F, I> _lights;
     private readonly SecondaryStage<R, F, I> _secondaryStage;
     private readonly SecondaryRays _secondary;
+    private readonly SurfaceNeeds _needs;
 
     public BatchTracer(CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity)
     {
         _scene = scene;
         _options = options;
+        _needs = ViewStage.Needs(options.View) | (options.Precision == Precision.Exact ? SurfaceNeeds.Sharp : SurfaceNeeds.None);
         Counters = counters;
         Capacity = capacity;
         _hits = new HitBatch<R, F, I>(memory, capacity);
@@ -79,6 +81,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
             Scatter(order, missed);
         }
 
+        Counters.HitsRefined += _hits.Refined;
         _secondary.MoveTo(rays.Count, queue);
         Counters.Charge(RenderStage.Combine);
     }
@@ -113,7 +116,8 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private void Shade(ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, int* order, int count, int depth)
     {
         CompiledMaterial material = key.Material;
-        key.Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | ViewStage.Needs(_options.View));
+        key.Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs);
+        Counters.Hits += count;
         ViewerStage.Run(rays, _hits, order, count, _buffers);
         Counters.Charge(RenderStage.Surface);
         if (ViewStage.IsShaded(_options.View))

@@ -16,6 +16,15 @@ public sealed class RenderStatistics
     /// <summary>Reflected and refracted rays.</summary>
     public long SecondaryRays { get; internal set; }
 
+    /// <summary>Visible hits: nearest hits of rays that are not shadow rays. The surface is computed once for each, and for nothing else.</summary>
+    public long Hits { get; internal set; }
+
+    /// <summary>
+    /// Visible hits whose ray parameter the last, expensive digits changed: grazing hits, rays that start near the surface, and with <see cref="Precision.Exact"/>
+    /// any other. Never more than <see cref="Hits"/>.
+    /// </summary>
+    public long HitsRefined { get; internal set; }
+
     /// <summary>Shadow rays followed.</summary>
     public long ShadowRays { get; internal set; }
 

@@ -62,14 +62,14 @@ public static class Renderer
         Scene scene, RenderOptions options, int laneWidth, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation) =>
         (options.Precision, laneWidth) switch
         {
-            (Precision.Double, 16) => Render<Double16, Float16, Int16>(scene, options, target, progress, cancellation),
-            (Precision.Double, 8) => Render<Double8, Float8, Int8>(scene, options, target, progress, cancellation),
-            (Precision.Double, 4) => Render<Double4, Float4, Int4>(scene, options, target, progress, cancellation),
-            (Precision.Double, _) => Render<Double1, Float1, Int1>(scene, options, target, progress, cancellation),
-            (_, 16) => Render<Float16, Float16, Int16>(scene, options, target, progress, cancellation),
-            (_, 8) => Render<Float8, Float8, Int8>(scene, options, target, progress, cancellation),
-            (_, 4) => Render<Float4, Float4, Int4>(scene, options, target, progress, cancellation),
-            _ => Render<Float1, Float1, Int1>(scene, options, target, progress, cancellation),
+            (Precision.Single, 16) => Render<Float16, Float16, Int16>(scene, options, target, progress, cancellation),
+            (Precision.Single, 8) => Render<Float8, Float8, Int8>(scene, options, target, progress, cancellation),
+            (Precision.Single, 4) => Render<Float4, Float4, Int4>(scene, options, target, progress, cancellation),
+            (Precision.Single, _) => Render<Float1, Float1, Int1>(scene, options, target, progress, cancellation),
+            (_, 16) => Render<Double16, Float16, Int16>(scene, options, target, progress, cancellation),
+            (_, 8) => Render<Double8, Float8, Int8>(scene, options, target, progress, cancellation),
+            (_, 4) => Render<Double4, Float4, Int4>(scene, options, target, progress, cancellation),
+            _ => Render<Double1, Float1, Int1>(scene, options, target, progress, cancellation),
         };
 
     private static RenderStatistics Render<R, F, I>(

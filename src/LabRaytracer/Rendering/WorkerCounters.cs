@@ -8,7 +8,7 @@ internal sealed class WorkerCounters
     private readonly long[] _ticks = new long[Enum.GetValues<RenderStage>().Length];
     private long _since;
 
-    public long PrimaryRays, SecondaryRays, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped, Mappings, TextureLookups, ConstantSlots, NotFinite;
+    public long PrimaryRays, SecondaryRays, Hits, HitsRefined, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped, Mappings, TextureLookups, ConstantSlots, NotFinite;
 
     public (int X, int Y)? FirstNotFinite;
 
@@ -38,6 +38,8 @@ internal sealed class WorkerCounters
     {
         statistics.PrimaryRays += PrimaryRays;
         statistics.SecondaryRays += SecondaryRays;
+        statistics.Hits += Hits;
+        statistics.HitsRefined += HitsRefined;
         statistics.ShadowRays += ShadowRays;
         statistics.ShadowRaysSkipped += ShadowRaysSkipped;
         statistics.SecondaryRaysSkipped += SecondaryRaysSkipped;

@@ -16,7 +16,7 @@ public sealed class SceneFileMistakeTests
     [InlineData("""{"render": {"height": 2.5}}""", "1:23: render.height: the number 2.5 does not fit; allowed: a whole number from 1 to 1048576")]
     [InlineData("""{"render": {"samples": 5}}""", "1:24: render.samples: 5 is not a square; allowed: square numbers, such as 4, 9")]
     [InlineData("""{"render": {"width": 1048576, "height": 1048576}}""", "1:41: render.height: a picture of 1048576 x 1048576 pixels is too large; allowed: at most 536870897 pixels")]
-    [InlineData("""{"render": {"precision": "duoble"}}""", "1:26: render.precision: unknown word 'duoble', did you mean 'double'; allowed: double, single")]
+    [InlineData("""{"render": {"precision": "duoble"}}""", "1:26: render.precision: unknown word 'duoble', did you mean 'double'; allowed: double, single, exact")]
     [InlineData("""{"render": null}""", "1:12: render: null does not fit; allowed: an object { height, maxDepth, pattern, precision, samples, seed, width }")]
     [InlineData("""{"render": {"width": 9, "width": 8}}""", "1:25: the key 'width' is given twice in one object; allowed: each key once")]
     [InlineData("""{"render": {"width": 9, "wid\u0074h": 8}}""", "1:25: the key 'width' is given twice in one object; allowed: each key once")]

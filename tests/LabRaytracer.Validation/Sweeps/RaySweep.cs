@@ -29,7 +29,7 @@ internal sealed class RaySweep(StressOptions options)
         Worst texel = name is "sphere" or "cylinder"
             ? new($"{name}: local hit", 1e-11, "texel")
             : new($"{name}: local hit, times the cosine of incidence", 16, "eps (c + r)"), off = new($"{name}: local hit off the surface", 3, "eps r");
-        Worst bits = new($"{name}: batch = single", 0, "");
+        Worst bits = new($"{name}: batch = single", 0, ""), sharp = new($"{name}: t, exact mode", 0.5, "ulp");
         Parallel.For(0, options.Parts(500), part =>
         {
             Draws draws = Draws.Of(options.Seed, name, part);
@@ -40,9 +40,10 @@ internal sealed class RaySweep(StressOptions options)
                 Ray[] rays = [.. Enumerable.Range(0, RaysPerShape).Select(_ => StressRays.At(draws, kind, center, size))];
                 using RayRun<Double16, Float16, Int16> run = new(shape, Transform.Identity, rays);
                 run.Surface();
+                ExactHit[] exacts = [.. rays.Select(ray => ExactHit.Of(shape, ray))];
                 for (int ray = 0; ray < rays.Length; ray++)
                 {
-                    ExactHit exact = ExactHit.Of(shape, rays[ray]);
+                    ExactHit exact = exacts[ray];
                     if (exact.Gap > gap)
                     {
                         decisions.Count(run.IsHit(ray) == exact.IsHit, $"{kind}: {shape.Bounds} {rays[ray]}, gap {exact.Gap:e2}, hit {exact.IsHit}");
@@ -61,12 +62,14 @@ internal sealed class RaySweep(StressOptions options)
                         off.Note(Off(shape, local) / s_eps, $"{kind}: {rays[ray]}");
                     }
                 }
+
+                NoteExactMode(run, rays, exacts, sharp);
             }
         });
         List<StressRow> rows = [decisions.ToRow(), bits.ToRow()];
         if (!double.IsNaN(boundT))
         {
-            rows.Add(t.ToRow());
+            rows.AddRange([t.ToRow(), sharp.ToRow()]);
         }
 
         if (name != "plane")
@@ -80,6 +83,19 @@ internal sealed class RaySweep(StressOptions options)
         }
 
         return rows;
+    }
+
+    /// <summary>Every t again, correctly rounded wherever there is a hit at all.</summary>
+    private static void NoteExactMode(RayRun<Double16, Float16, Int16> run, Ray[] rays, ExactHit[] exacts, Worst worst)
+    {
+        run.Surface(Precision.Exact);
+        for (int ray = 0; ray < rays.Length; ray++)
+        {
+            if (exacts[ray].IsHit && run.IsHit(ray))
+            {
+                worst.Note(Truth.Ulps(run.Distance(ray), exacts[ray].T, false), $"{rays[ray]}, gap {exacts[ray].Gap:e2}");
+            }
+        }
     }
 
     private static double Distance(Point3D found, in ExactHit exact)
