@@ -28,6 +28,22 @@ internal static class LightFormats
         new Fading(1, 0, 0),
         "Fading with distance d: 1 / (constant + linear d + quadratic d^2).");
 
+    private static readonly Key<Intensity> s_radiance = Key.Optional(
+        "radiance", Colors.Any, Intensity.White, "Linear radiance: the brightness of the lamp as a camera sees it.");
+
+    private static readonly Key<Point3D> s_corner = Key.Required("corner", Coordinates.Point, "A corner, world space.");
+
+    private static readonly Key<Vector3D> s_edgeU = Key.Required("edgeU", Coordinates.Direction, "Edge from the corner, scene units; the lamp faces edgeU x edgeV, as a quad does.");
+
+    private static readonly Key<Vector3D> s_edgeV = Key.Required("edgeV", Coordinates.Direction, "Other edge from the corner, scene units; not along edgeU.");
+
+    private static readonly Key<int> s_samples = Key.Optional(
+        "samples", new IntegerFormat(1, QuadLight.MaxSamples), 16, "Samples at each point; powers of two are best, 1 is the middle of the lamp with hard shadows.");
+
+    private static readonly Key<LightSides> s_sides = Key.Optional("sides", ChoiceFormat.Of<LightSides>(), LightSides.Front, "Sides that shine.");
+
+    private static readonly Key<bool> s_visible = Key.Optional("visible", SwitchFormat.Instance, false, "Whether rays see the lamp.");
+
     /// <summary>A lamp, told by its type.</summary>
     public static VariantFormat<Light> Any { get; } = new(
         "type",
@@ -36,6 +52,7 @@ internal static class LightFormats
             new("pointLight", "Light from a point in all directions.", [s_position, s_intensity, s_attenuation], Point, ("type", "point")),
             new("directionalLight", "Parallel light from far away, such as the sun.", [s_direction, s_intensity], Directional, ("type", "directional")),
             new("spotLight", "A cone of light.", [s_position, s_target, s_intensity, s_outer, s_inner, s_attenuation], Spot, ("type", "spot")),
+            new("quadLight", "A flat lamp with soft shadows.", [s_corner, s_edgeU, s_edgeV, s_radiance, s_samples, s_sides, s_visible], FlatLamp, ("type", "quad")),
             new("ambientLight", "Light from everywhere, the same at every point.", [s_intensity], fields => new AmbientLight(fields.Get(s_intensity)), ("type", "ambient")),
         ]);
 
@@ -43,6 +60,15 @@ internal static class LightFormats
         new(fields.Get(s_position), fields.Get(s_intensity)) { Attenuation = fields.Get(s_attenuation).Make() };
 
     private static DirectionalLight Directional(Fields fields) => new(fields.Get(s_direction), fields.Get(s_intensity));
+
+    private static QuadLight? FlatLamp(Fields fields) => fields.Make(
+        s_edgeU,
+        () => new QuadLight(fields.Get(s_corner), fields.Get(s_edgeV), fields.Get(s_edgeU), fields.Get(s_radiance))
+        {
+            Samples = fields.Get(s_samples), Sides = fields.Get(s_sides), IsVisible = fields.Get(s_visible),
+        },
+        "the edges span no area",
+        "edges that are not parallel");
 
     private static SpotLight? Spot(Fields fields)
     {

@@ -20,4 +20,9 @@ internal static class LightChecks
         value.IsFinite && value != Vector3D.Zero
             ? value.Normalized()
             : throw new ArgumentOutOfRangeException(name, value, "A light's direction needs a finite length above 0.");
+
+    /// <summary>A number of samples at each point.</summary>
+    public static int Samples(int value, [CallerArgumentExpression(nameof(value))] string? name = null) => value is >= 1 and <= QuadLight.MaxSamples
+        ? value
+        : throw new ArgumentOutOfRangeException(name, value, $"The samples of a light at each point must be in [1, {QuadLight.MaxSamples}].");
 }

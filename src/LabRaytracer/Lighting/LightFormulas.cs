@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>The two ways to run the formula of a lamp: for one point and for a batch. Both give the same bits.</summary>
 internal static unsafe class LightFormulas
 {
-    /// <summary><see cref="Light.TrySample"/> by the formula.</summary>
+    /// <summary><see cref="Light.TrySample(Point3D, out LightSample)"/> by the formula.</summary>
     public static bool TrySample<TFormula>(TFormula formula, Point3D point, out LightSample sample)
         where TFormula : struct, ILightFormula
     {
@@ -43,11 +43,14 @@ internal static unsafe class LightFormulas
     /// <returns>Mask of points away from the lamp.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static R Towards<R>(Point3D position, R x, R y, R z, out LightLanes<R> sample)
+        where R : unmanaged, IReal<R> => Towards(R.Of(position.X) - x, R.Of(position.Y) - y, R.Of(position.Z) - z, out sample);
+
+    /// <summary>Direction and distance of a lamp by the vector to it; without a length the direction is +Y and the share 0.</summary>
+    /// <returns>Mask of points away from the lamp.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R Towards<R>(R toX, R toY, R toZ, out LightLanes<R> sample)
         where R : unmanaged, IReal<R>
     {
-        R toX = R.Of(position.X) - x;
-        R toY = R.Of(position.Y) - y;
-        R toZ = R.Of(position.Z) - z;
         sample.Distance = R.Sqrt(Lane.Dot(toX, toY, toZ, toX, toY, toZ));
         R away = R.Less(R.Zero, sample.Distance);
         sample.DirectionX = R.Select(away, toX / sample.Distance, R.Zero);

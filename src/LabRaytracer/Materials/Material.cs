@@ -38,6 +38,9 @@ public sealed class Material
     /// <summary>Light that the surface gives off by itself. Default: black.</summary>
     public TextureSlot Emission { get; init => field = PropertyChecks.NotNull(value); } = Intensity.Black;
 
+    /// <summary>Tells whether only the side that the normal points to gives off light.</summary>
+    internal bool EmitsFromFrontOnly { get; init; }
+
     /// <summary>The lighting model. Default: Phong.</summary>
     public IShader Shader { get; init => field = PropertyChecks.NotNull(value); } = PhongShader.Default;
 

@@ -16,9 +16,12 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private readonly SecondaryStage<R, F, I> _secondaryStage;
     private readonly SecondaryRays _secondary;
     private readonly SurfaceNeeds _needs;
+    private readonly PixelSampling? _sampling;
 
-    public BatchTracer(CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity)
+    public BatchTracer(
+        CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity, PixelSampling? sampling)
     {
+        _sampling = sampling;
         _scene = scene;
         _options = options;
         _needs = ViewStage.Needs(options.View) | (options.Precision == Precision.Exact ? SurfaceNeeds.Sharp : SurfaceNeeds.None);
@@ -33,7 +36,8 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Weights = new Intensity[capacity];
         Pixels = new int[capacity];
         Tally = options.View == RenderView.Cost ? new RayTally(Pixels, capacity) : null;
-        _lights = new LightStage<R, F, I>(scene, _buffers, counters, Tally);
+        LampPlaces<R, F, I>? places = sampling is null ? null : new LampPlaces<R, F, I>(sampling, Pixels, memory, capacity);
+        _lights = new LightStage<R, F, I>(scene, _buffers, new LampSampler<R, F, I>(scene, _buffers, places), counters, Tally);
     }
 
     /// <summary>Most rays of a batch.</summary>
@@ -60,6 +64,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     /// <param name="queue">Receives the reflected and refracted rays.</param>
     public void Trace(RayBatch<R, F, I> rays, int depth, List<SecondaryRay> queue)
     {
+        _sampling?.StartDepth(depth);
         Tally?.Add(rays);
         _scene.Nearest(rays, _hits);
         Counters.Charge(RenderStage.Intersect);

@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Lamps and shadows of a group of hits.</summary>
-internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, WorkerCounters counters, RayTally? tally)
+internal sealed unsafe class LightStage<R, F, I>(
+    CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, LampSampler<R, F, I> lamps, WorkerCounters counters, RayTally? tally)
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -19,17 +20,9 @@ internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, S
         Begin(material, packets);
         if (material.IsLit)
         {
-            foreach (Light light in scene.Lights)
+            for (int lamp = 0; lamp < scene.Lights.Length; lamp++)
             {
-                Sample(light, count, packets);
-                AimShadowRays(packets, count);
-                tally?.Add(buffers.ShadowRays, order, count);
-                if (light.CastsShadows)
-                {
-                    scene.Block(buffers.ShadowRays);
-                }
-
-                Add(material, packets, count);
+                AddLamp(lamp, material, order, count, packets);
             }
         }
 
@@ -44,6 +37,14 @@ internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, S
         for (int packet = 0; packet < packets; packet++)
         {
             material.Emission.Read(buffers.Texels, packet, out F red, out F green, out F blue);
+            if (material.Material.EmitsFromFrontOnly)
+            {
+                F front = ~R.MaskToSingle(buffers.Inside[packet]);
+                red &= front;
+                green &= front;
+                blue &= front;
+            }
+
             if (hasAmbient)
             {
                 material.Ambient.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
@@ -58,26 +59,20 @@ internal sealed unsafe class LightStage<R, F, I>(CompiledScene<R, F, I> scene, S
         }
     }
 
-    private void Sample(Light light, int count, int packets)
+    private void AddLamp(int lamp, CompiledMaterial material, int* order, int count, int packets)
     {
-        if (light is IWideLight wide)
+        int samples = lamps.Begin(lamp, order, packets);
+        for (int sample = 0; sample < samples; sample++)
         {
-            wide.Sample(buffers.Surfaces, buffers.Light, packets);
-            return;
-        }
+            lamps.Sample(lamp, sample, count, packets);
+            AimShadowRays(packets, count);
+            tally?.Add(buffers.ShadowRays, order, count);
+            if (scene.Lights[lamp].CastsShadows)
+            {
+                scene.Block(buffers.ShadowRays);
+            }
 
-        LightColumns<R, F> samples = buffers.Light;
-        for (int i = 0; i < packets * R.Width; i++)
-        {
-            int at = Math.Min(i, count - 1);
-            Point3D point = new(
-                R.Take(buffers.Surfaces.PointX, at), R.Take(buffers.Surfaces.PointY, at), R.Take(buffers.Surfaces.PointZ, at));
-            bool arrives = light.TrySample(point, out LightSample sample);
-            R.Put(samples.DirectionX, i, sample.Direction.X);
-            R.Put(samples.DirectionY, i, sample.Direction.Y);
-            R.Put(samples.DirectionZ, i, sample.Direction.Z);
-            R.Put(samples.Distance, i, sample.Distance);
-            samples.Intensity.Put(i, arrives ? sample.Intensity : Intensity.Black);
+            Add(material, packets, count);
         }
     }
 

@@ -33,7 +33,8 @@ internal static class SampleOffsets
         return (state >> 11) * (1.0 / (1UL << 53));
     }
 
-    private static ulong Mix(ulong z)
+    /// <summary>Mixes the bits of a number, one to one.</summary>
+    public static ulong Mix(ulong z)
     {
         z += 0x9E3779B97F4A7C15;
         z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;

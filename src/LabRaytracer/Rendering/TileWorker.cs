@@ -24,6 +24,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     private readonly R* _sampleY;
     private readonly TileColors<F> _colors;
     private readonly SeamMarks? _seams;
+    private readonly PixelSampling? _sampling;
     private bool _hasPrimaryOrder;
     private List<SecondaryRay> _queue = [];
     private List<SecondaryRay> _next = [];
@@ -36,7 +37,8 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         _scene = scene;
         _options = options;
         _area = area;
-        _tracer = new BatchTracer<R, F, I>(scene, options, _memory, new WorkerCounters(), Pixels);
+        _sampling = scene.NeedsSampling ? new PixelSampling(options.Seed, Pixels) : null;
+        _tracer = new BatchTracer<R, F, I>(scene, options, _memory, new WorkerCounters(), Pixels, _sampling);
         _rays = new RayBatch<R, F, I>(_memory, Pixels);
         _pixelX = _memory.Column<R>(Pixels, R.Width);
         _pixelY = _memory.Column<R>(Pixels, R.Width);
@@ -64,8 +66,10 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     {
         Counters.Start();
         _tracer.Tally?.Clear();
+        _sampling?.StartTile(x, y, Place);
         for (int sample = 0; sample < _options.Samples; sample++)
         {
+            _sampling?.StartSample(sample);
             Aim(x, y, sample);
             Counters.Charge(RenderStage.Camera);
             TracePrimary();

@@ -27,19 +27,20 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
         Textures = new TexturePreparation(filter);
         Textures.PrepareAll(SceneTextures.Used(scene), threads);
         Background = new CompiledMaterial(new Material { Emission = scene.Background, Diffuse = Intensity.Black, Shader = LambertShader.Default }, new SphericalMapping(), Textures);
-        int count = scene.Objects.Count;
+        List<SceneObject> objects = [.. scene.Objects, .. VisibleLamps.Of(scene)];
+        int count = objects.Count;
         _memberOfObject = _memory.Column<int>(Math.Max(1, count), 1);
         _keyOfObject = _memory.Column<int>(Math.Max(1, count), 1);
-        List<ObjectEntry<R, F, I>> entries = Pack(scene);
+        List<ObjectEntry<R, F, I>> entries = Pack(objects);
         foreach (ShapeGroup<R, F, I> group in _groups)
         {
             group.Freeze(_memory, threads);
         }
 
         _all = Search(entries, threads);
-        _casters = scene.Objects.All(item => item.CastsShadows)
+        _casters = objects.All(item => item.CastsShadows)
             ? _all
-            : Search([.. entries.Where(entry => scene.Objects[entry.Number].CastsShadows)], threads);
+            : Search([.. entries.Where(entry => objects[entry.Number].CastsShadows)], threads);
         Lights = [.. scene.Lights.Where(light => light is not AmbientLight)];
         foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
         {
@@ -58,6 +59,9 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
 
     /// <summary>Lamps with a direction.</summary>
     public Light[] Lights { get; }
+
+    /// <summary>Tells whether rendering takes several samples of something: then pixels need random numbers.</summary>
+    public bool NeedsSampling => Lights.Any(light => light.SampleCount > 1);
 
     /// <summary>Sum of all ambient light.</summary>
     public Intensity Ambient { get; }
@@ -99,14 +103,14 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     private static SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
         [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads);
 
-    private List<ObjectEntry<R, F, I>> Pack(Scene scene)
+    private List<ObjectEntry<R, F, I>> Pack(List<SceneObject> objects)
     {
         Dictionary<(Type Shape, bool IsIdentity), ShapeGroup<R, F, I>> groups = [];
         Dictionary<(ShapeGroup<R, F, I> Group, Material Material, IMapping Mapping), int> keys = [];
         List<ObjectEntry<R, F, I>> entries = [];
-        for (int number = 0; number < scene.Objects.Count; number++)
+        for (int number = 0; number < objects.Count; number++)
         {
-            SceneObject item = scene.Objects[number];
+            SceneObject item = objects[number];
             (Type, bool) kind = (item.Shape.GetType(), item.Transform.IsIdentity);
             if (!groups.TryGetValue(kind, out ShapeGroup<R, F, I>? group))
             {

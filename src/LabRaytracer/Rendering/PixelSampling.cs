@@ -1,0 +1,44 @@
+namespace LabRaytracer;
+
+/// <summary>Random numbers of the pixels of a tile, for samples of lamps and lenses: from (seed, pixel, purpose) alone.</summary>
+/// <remarks>
+/// All samples of a pixel are one sequence that fills the square evenly; each pixel and each purpose scrambles it in its own way, so that neighbours' errors are independent.
+/// </remarks>
+internal sealed class PixelSampling(int seed, int pixels)
+{
+    private readonly ulong[] _states = new ulong[pixels];
+
+    /// <summary>Number of the current sample of the pixels.</summary>
+    public int Sample { get; private set; }
+
+    /// <summary>Reflections and refractions so far.</summary>
+    public int Depth { get; private set; }
+
+    /// <summary>Starts a tile.</summary>
+    /// <param name="x">Column of its top-left pixel in the whole picture.</param>
+    /// <param name="y">Row of its top-left pixel.</param>
+    /// <param name="place">Position of a pixel in the tile by its number.</param>
+    public void StartTile(int x, int y, Func<int, (int X, int Y)> place)
+    {
+        for (int pixel = 0; pixel < pixels; pixel++)
+        {
+            (int px, int py) = place(pixel);
+            _states[pixel] = SampleOffsets.Mix(SampleOffsets.Mix((uint)seed) ^ (((ulong)(uint)(x + px) << 32) | (uint)(y + py)));
+        }
+    }
+
+    /// <summary>Starts a sample of every pixel.</summary>
+    public void StartSample(int sample) => Sample = sample;
+
+    /// <summary>Starts the rays after a number of reflections and refractions.</summary>
+    public void StartDepth(int depth) => Depth = depth;
+
+    /// <summary>Two random 32-bit numbers.</summary>
+    /// <param name="pixel">Number in the tile.</param>
+    /// <param name="purpose">What for: different numbers for each.</param>
+    public (int First, int Second) Scramble(int pixel, int purpose)
+    {
+        ulong random = SampleOffsets.Mix(_states[pixel] ^ (uint)purpose);
+        return ((int)(random >> 32), (int)random);
+    }
+}
