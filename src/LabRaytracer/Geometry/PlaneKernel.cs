@@ -84,7 +84,7 @@ internal readonly struct PlaneKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        s = default;
+        Unsafe.SkipInit(out s);
         s.NormalX = s.ShadingX = shape[Normal];
         s.NormalY = s.ShadingY = shape[Normal + 1];
         s.NormalZ = s.ShadingZ = shape[Normal + 2];
@@ -102,6 +102,7 @@ internal readonly struct PlaneKernel : IShapeKernel
         qz = R.Fma(-off, s.NormalZ, qz);
         s.LocalX = Lane.Dot(qx, qy, qz, shape[AxisX], shape[AxisX + 1], shape[AxisX + 2]);
         s.LocalZ = Lane.Dot(qx, qy, qz, shape[AxisZ], shape[AxisZ + 1], shape[AxisZ + 2]);
+        s.LocalY = s.LocalNormalX = s.LocalNormalZ = s.SurfaceU = s.SurfaceV = R.Zero;
         s.LocalNormalY = R.Of(1);
         s.PointX = shape[Point] + qx;
         s.PointY = shape[Point + 1] + qy;

@@ -130,7 +130,7 @@ internal readonly struct SphereKernel : IShapeKernel
             z = R.Select(isRough, precise.Z, z);
         }
 
-        s = Place(shape, x, y, z);
+        Place(shape, x, y, z, out s);
     }
 
     /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>
@@ -149,19 +149,20 @@ internal readonly struct SphereKernel : IShapeKernel
             t = RoundedParameter.Replace(t, lane, ExactDistance.OfSphere(RoundedParameter.Lane(ray, lane), center, R.Get(shape[Radius], lane)));
         }
 
-        SurfaceLanes<R> sharp = Place(shape, precise.X, precise.Y, precise.Z);
+        Place(shape, precise.X, precise.Y, precise.Z, out SurfaceLanes<R> sharp);
         s = SurfaceLanes.Select(precise.IsHit, sharp, s);
     }
 
     /// <summary>The surface at a point relative to the centre, which is put back onto the sphere.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static SurfaceLanes<R> Place<R, P>(in P shape, R x, R y, R z)
+    private static void Place<R, P>(in P shape, R x, R y, R z, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius];
         R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z));
-        SurfaceLanes<R> s = default;
+        Unsafe.SkipInit(out s);
+        s.SurfaceU = s.SurfaceV = R.Zero;
         s.LocalX = x * toUnit;
         s.LocalY = y * toUnit;
         s.LocalZ = z * toUnit;
@@ -172,7 +173,6 @@ internal readonly struct SphereKernel : IShapeKernel
         s.PointY = R.Fma(radius, s.LocalY, shape[CenterY]);
         s.PointZ = R.Fma(radius, s.LocalZ, shape[CenterZ]);
         s.Slack = Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + radius);
-        return s;
     }
 
     /// <summary>Half the chord in units of the direction (0 for a miss) around l + step d; returns the squared half chord in object units, below 0 for a miss.</summary>

@@ -26,11 +26,7 @@ internal sealed unsafe class PictureSampler<TReader>(
         }
         else
         {
-            for (int packet = 0; packet < packets; packet++)
-            {
-                R outside = Bilinear<R, F, I>(across, up, u[packet], v[packet], out F red, out F green, out F blue);
-                Store<R, F, I>(colors, packet, outside, red, green, blue);
-            }
+            Bilinear<R, F, I>(across, up, u, v, colors, packets);
         }
 
         // Pinned memory must not be collected while the reader holds raw addresses into it.
@@ -52,32 +48,89 @@ internal sealed unsafe class PictureSampler<TReader>(
         return outside;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private R Bilinear<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, out F red, out F green, out F blue)
+    [SkipLocalsInit]
+    private void Bilinear<R, F, I>(in TexelAxis across, in TexelAxis up, R* u, R* v, in ColorColumns<F> colors, int packets)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        R outside = across.Between<R, F, I>(u, out I x0, out I x1, out F right) | up.Between<R, F, I>(v, out I y0, out I y1, out F above);
-        I row0 = Row(y0), row1 = Row(y1);
-        Between<F, I>(row0 + x0, row0 + x1, right, out F red0, out F green0, out F blue0);
-        Between<F, I>(row1 + x0, row1 + x1, right, out F red1, out F green1, out F blue1);
-        red = F.Fma(above, red1 - red0, red0);
-        green = F.Fma(above, green1 - green0, green0);
-        blue = F.Fma(above, blue1 - blue0, blue0);
-        return outside;
+        F* memory = stackalloc F[BilinearBlock<F, I>.Size];
+        BilinearBlock<F, I> block = new(memory);
+        for (int first = 0; first < packets; first += BilinearBlock<F, I>.Packets)
+        {
+            int count = Math.Min(packets - first, BilinearBlock<F, I>.Packets);
+            for (int k = 0; k < count; k++)
+            {
+                Locate<R, F, I>(across, up, u[first + k], v[first + k], block, k);
+            }
+
+            for (int k = 0; k < count; k++)
+            {
+                Mix(block, k, colors, first + k);
+            }
+        }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Between<F, I>(I first, I second, F weight, out F red, out F green, out F blue)
+    /// <summary>Finds the texels of one group of lanes and asks the memory for them.</summary>
+    private void Locate<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, in BilinearBlock<F, I> block, int k)
+        where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        reader.Read<F, I>(first, out F red0, out F green0, out F blue0);
-        reader.Read<F, I>(second, out F red1, out F green1, out F blue1);
-        red = F.Fma(weight, red1 - red0, red0);
-        green = F.Fma(weight, green1 - green0, green0);
-        blue = F.Fma(weight, blue1 - blue0, blue0);
+        R outside = across.Between<R, F, I>(u, out I x0, out I x1, out block.WeightRight[k]);
+        outside |= up.Between<R, F, I>(v, out I y0, out I y1, out block.WeightAbove[k]);
+        block.Inside[k] = ~R.MaskToSingle(outside);
+        block.Below[k] = Row(y0) + x0;
+        block.Above[k] = Row(y1) + x0;
+        block.Across[k] = x1 - x0;
+        if (store.IsLarge)
+        {
+            int* below = (int*)(block.Below + k);
+            int* above = (int*)(block.Above + k);
+            for (int lane = 0; lane < I.Width; lane++)
+            {
+                reader.Prefetch(below[lane]);
+                reader.Prefetch(above[lane]);
+            }
+        }
+    }
+
+    /// <summary>Mixes the four texels of each lane.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Mix<F, I>(in BilinearBlock<F, I> block, int k, in ColorColumns<F> colors, int packet)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        bool areNeighbors = I.AllEqual(block.Across[k], 1);
+        Row(block.Below + k, areNeighbors, block, k, out F red, out F green, out F blue);
+        Row(block.Above + k, areNeighbors, block, k, out F red1, out F green1, out F blue1);
+        F above = block.WeightAbove[k], inside = block.Inside[k];
+        colors.R[packet] = F.Fma(above, red1 - red, red) & inside;
+        colors.G[packet] = F.Fma(above, green1 - green, green) & inside;
+        colors.B[packet] = F.Fma(above, blue1 - blue, blue) & inside;
+    }
+
+    /// <summary>Mixes the two texels of one row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Row<F, I>(I* texel, bool areNeighbors, in BilinearBlock<F, I> block, int k, out F red, out F green, out F blue)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        F red1, green1, blue1;
+        if (areNeighbors)
+        {
+            reader.ReadPair(texel, out red, out green, out blue, out red1, out green1, out blue1);
+        }
+        else
+        {
+            reader.Read(*texel, out red, out green, out blue);
+            reader.Read(*texel + block.Across[k], out red1, out green1, out blue1);
+        }
+
+        F right = block.WeightRight[k];
+        red = F.Fma(right, red1 - red, red);
+        green = F.Fma(right, green1 - green, green);
+        blue = F.Fma(right, blue1 - blue, blue);
     }
 
     /// <summary>Element number of the first texel of a row; rows go up, the store's go down.</summary>

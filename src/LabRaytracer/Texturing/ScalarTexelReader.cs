@@ -17,4 +17,17 @@ internal readonly struct ScalarTexelReader(Func<int, int, Intensity> texel, int 
         Intensity color = texel(x, height - 1 - row);
         (red, green, blue) = (F.Of(color.R), F.Of(color.G), F.Of(color.B));
     }
+
+    public unsafe void ReadPair<F, I>(I* element, out F red0, out F green0, out F blue0, out F red1, out F green1, out F blue1)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        Read(*element, out red0, out green0, out blue0);
+        Read(*element + I.Of(1), out red1, out green1, out blue1);
+    }
+
+    public void Prefetch(int element)
+    {
+        // One texel at a time leaves nothing to be asked for ahead.
+    }
 }

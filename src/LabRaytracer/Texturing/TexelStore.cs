@@ -28,6 +28,9 @@ internal sealed unsafe class TexelStore
     /// <summary>Element number of texel (0, 0), the bottom-left one: rows go up, so the stride is minus the width.</summary>
     public int Start => (Height - 1) * Width;
 
+    /// <summary>Tells whether texels are seldom in the processor's own cache.</summary>
+    public bool IsLarge => (long)Width * Height > 1 << 16;
+
     /// <summary>The first sample of the top-left texel.</summary>
     public void* Samples => (void*)_pin.AddrOfPinnedObject();
 

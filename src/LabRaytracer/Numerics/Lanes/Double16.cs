@@ -148,7 +148,7 @@ internal readonly struct Double16(Vector512<double> low, Vector512<double> high)
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Int16 ToInt32(Double16 a) => Avx512F.IsSupported
-        ? new(Vector512.Create(Avx512F.ConvertToVector256Int32WithTruncation(a.Low), Avx512F.ConvertToVector256Int32WithTruncation(a.High)))
+        ? new(LaneHalves.Join(Avx512F.ConvertToVector256Int32WithTruncation(a.Low), Avx512F.ConvertToVector256Int32WithTruncation(a.High)))
         : new(Vector512.Narrow(Vector512.ConvertToInt64Native(a.Low), Vector512.ConvertToInt64Native(a.High)));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -187,10 +187,10 @@ internal readonly struct Double16(Vector512<double> low, Vector512<double> high)
             Vector256<int> low = index.Value.GetLower();
             Vector256<int> high = index.Value.GetUpper();
             return new(
-                Vector512.Create(
+                LaneHalves.Join(
                     Avx2.GatherVector256((double*)column, low.GetLower(), sizeof(double)),
                     Avx2.GatherVector256((double*)column, low.GetUpper(), sizeof(double))),
-                Vector512.Create(
+                LaneHalves.Join(
                     Avx2.GatherVector256((double*)column, high.GetLower(), sizeof(double)),
                     Avx2.GatherVector256((double*)column, high.GetUpper(), sizeof(double))));
         }

@@ -150,7 +150,7 @@ internal readonly struct Float16(Vector512<float> value) : ILane<Float16, Float1
     {
         if (Avx2.IsSupported)
         {
-            return new(Vector512.Create(
+            return new(LaneHalves.Join(
                 Avx2.GatherVector256((float*)column, index.Value.GetLower(), sizeof(float)),
                 Avx2.GatherVector256((float*)column, index.Value.GetUpper(), sizeof(float))));
         }

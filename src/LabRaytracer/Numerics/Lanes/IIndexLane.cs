@@ -45,6 +45,13 @@ internal interface IIndexLane<I> :
     /// <summary>Elements <c>table[index[lane]]</c>.</summary>
     static abstract unsafe I Gather(int* table, I index);
 
+    /// <summary>Elements <c>table[index[lane]]</c> and <c>table[index[lane] + 1]</c>.</summary>
+    /// <param name="table">The table.</param>
+    /// <param name="index">Numbers of the first elements, in memory.</param>
+    /// <param name="first">The elements.</param>
+    /// <param name="second">Their right neighbours.</param>
+    static abstract unsafe void LoadPairs(int* table, I* index, out I first, out I second);
+
     /// <summary>Reads a whole group of lanes from memory of any alignment.</summary>
     static abstract unsafe I Load(int* elements);
 

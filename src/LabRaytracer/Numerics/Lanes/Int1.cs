@@ -70,6 +70,14 @@ internal readonly struct Int1(int value) : IIndexLane<Int1>
     public static unsafe Int1 Gather(int* table, Int1 index) => new(table[index.Value]);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadPairs(int* table, Int1* index, out Int1 first, out Int1 second)
+    {
+        int* pair = table + index->Value;
+        first = new(pair[0]);
+        second = new(pair[1]);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int1 Load(int* elements) => new(*elements);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

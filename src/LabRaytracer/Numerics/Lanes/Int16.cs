@@ -73,7 +73,7 @@ internal readonly struct Int16(Vector512<int> value) : IIndexLane<Int16>
     {
         if (Avx2.IsSupported)
         {
-            return new(Vector512.Create(
+            return new(LaneHalves.Join(
                 Avx2.GatherVector256(table, index.Value.GetLower(), sizeof(int)),
                 Avx2.GatherVector256(table, index.Value.GetUpper(), sizeof(int))));
         }
@@ -85,6 +85,22 @@ internal readonly struct Int16(Vector512<int> value) : IIndexLane<Int16>
         }
 
         return new(gathered);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadPairs(int* table, Int16* index, out Int16 first, out Int16 second)
+    {
+        Vector512<long> low = LanePairs.Eight(table, (int*)index), high = LanePairs.Eight(table, (int*)index + 8);
+        if (Avx512F.IsSupported)
+        {
+            Vector512<int> even = Vector512.Create(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+            first = new(Avx512F.PermuteVar16x32x2(low.AsInt32(), even, high.AsInt32()));
+            second = new(Avx512F.PermuteVar16x32x2(low.AsInt32(), even + Vector512<int>.One, high.AsInt32()));
+            return;
+        }
+
+        first = new(Vector512.Narrow(low, high));
+        second = new(Vector512.Narrow(Vector512.ShiftRightLogical(low, 32), Vector512.ShiftRightLogical(high, 32)));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -86,6 +86,14 @@ internal readonly struct Int4(Vector128<int> value) : IIndexLane<Int4>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadPairs(int* table, Int4* index, out Int4 first, out Int4 second)
+    {
+        Vector128<long> low = LanePairs.Two(table, (int*)index), high = LanePairs.Two(table, (int*)index + 2);
+        first = new(Vector128.Narrow(low, high));
+        second = new(Vector128.Narrow(Vector128.ShiftRightLogical(low, 32), Vector128.ShiftRightLogical(high, 32)));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int4 Load(int* elements) => new(Vector128.Load(elements));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

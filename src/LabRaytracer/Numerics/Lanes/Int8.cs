@@ -86,6 +86,14 @@ internal readonly struct Int8(Vector256<int> value) : IIndexLane<Int8>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadPairs(int* table, Int8* index, out Int8 first, out Int8 second)
+    {
+        Vector256<long> low = LanePairs.Four(table, (int*)index), high = LanePairs.Four(table, (int*)index + 4);
+        first = new(Vector256.Narrow(low, high));
+        second = new(Vector256.Narrow(Vector256.ShiftRightLogical(low, 32), Vector256.ShiftRightLogical(high, 32)));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int8 Load(int* elements) => new(Vector256.Load(elements));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
