@@ -42,7 +42,11 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
     /// <inheritdoc/>
     public override Ray RayAt(double x, double y, int width, int height) => ScalarCamera.RayAt(this, x, y, width, height);
 
-    unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
+    unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height) => Aim(x, y, rays, packets, width, height);
+
+    /// <summary>The same, not virtual: ahead-of-time compilers do not see through virtual generic methods.</summary>
+    internal unsafe void Aim<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
+        where R : unmanaged, IReal<R>
     {
         R across = R.Of(width), down = R.Of(height), scale = R.Of(_halfHeight / height);
         for (int packet = 0; packet < packets; packet++)

@@ -52,8 +52,9 @@ internal struct BvhRay<R, F, I>
     /// <param name="tree">The tree.</param>
     /// <param name="ray">The rays, in the tree's space.</param>
     /// <param name="limit">Largest ray parameters; becomes -1 where the lane is off (not above 0, or the ray is not finite or has no direction).</param>
+    /// <param name="result">The prepared rays.</param>
     /// <param name="toFloat">Factor from ray parameters to those of boxes.</param>
-    public static BvhRay<R, F, I> Prepare(Bvh tree, in RayLanes<R> ray, ref R limit, out R toFloat)
+    public static void Prepare(Bvh tree, in RayLanes<R> ray, ref R limit, out BvhRay<R, F, I> result, out R toFloat)
     {
         F dx = R.ToSingle(ray.DirectionX), dy = R.ToSingle(ray.DirectionY), dz = R.ToSingle(ray.DirectionZ);
         F largest = F.Max(F.Max(F.Abs(dx), F.Abs(dy)), F.Abs(dz));
@@ -61,24 +62,23 @@ internal struct BvhRay<R, F, I>
         F isUnit = F.LessOrEqual(F.Of(0.25), largest) & F.LessOrEqual(largest, F.Of(2));
         if (!F.All(isUnit))
         {
-            isUnit = Rescale(ray, out toFloat, out dx, out dy, out dz);
+            Rescale(ray, out isUnit, out toFloat, out dx, out dy, out dz);
         }
 
         F sum = F.Abs(R.ToSingle(ray.OriginX)) + F.Abs(R.ToSingle(ray.OriginY)) + F.Abs(R.ToSingle(ray.OriginZ));
         F active = R.MaskToSingle(R.Less(R.Zero, limit)) & isUnit & F.Less(sum, F.Of(double.PositiveInfinity));
         limit = R.Select(R.MaskFromSingle(active), limit, R.Of(-1));
         F width = (sum + F.Of(tree.Size)) * F.Of(R.IsSingle ? 9.5367431640625e-7 : 1.7763568394002505e-15);
-        BvhRay<R, F, I> result = default;
+        result = default;
         result.Active = F.Bits(active);
         result.X = SlabOf(R.ToSingle(ray.OriginX - R.Of(tree.CenterX)), dx, width, tree.SizeX, active, out result.NegativeX);
         result.Y = SlabOf(R.ToSingle(ray.OriginY - R.Of(tree.CenterY)), dy, width, tree.SizeY, active, out result.NegativeY);
         result.Z = SlabOf(R.ToSingle(ray.OriginZ - R.Of(tree.CenterZ)), dz, width, tree.SizeZ, active, out result.NegativeZ);
-        return result;
     }
 
     /// <summary>Directions of any length, brought to a largest component in [1, 2) by a power of two; the mask is false where there is no direction.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static F Rescale(in RayLanes<R> ray, out R toFloat, out F x, out F y, out F z)
+    private static void Rescale(in RayLanes<R> ray, out F mask, out R toFloat, out F x, out F y, out F z)
     {
         R largest = R.Max(R.Max(R.Abs(ray.DirectionX), R.Abs(ray.DirectionY)), R.Abs(ray.DirectionZ));
         R isUsable = R.LessOrEqual(R.Of(R.IsSingle ? LeastSingle : LeastDouble), largest) & R.Less(largest, R.Of(R.IsSingle ? 1 / LeastSingle : 1 / LeastDouble));
@@ -88,7 +88,7 @@ internal struct BvhRay<R, F, I>
         x = R.ToSingle(ray.DirectionX * scale);
         y = R.ToSingle(ray.DirectionY * scale);
         z = R.ToSingle(ray.DirectionZ * scale);
-        return R.MaskToSingle(isUsable);
+        mask = R.MaskToSingle(isUsable);
     }
 
     /// <summary>A ray parameter's limit in the units of boxes, rounded up; -1 for lanes that are off.</summary>

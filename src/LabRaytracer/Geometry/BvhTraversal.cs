@@ -14,7 +14,7 @@ internal static unsafe class BvhTraversal
     /// <param name="ray">Rays in the tree's space; any finite directions.</param>
     /// <param name="limit">Largest ray parameters of interest; lanes with a limit not above 0 are off.</param>
     /// <param name="leaf">What happens at leaves. The search ends when it has brought every limit below 0.</param>
-    public static void Run<R, F, I, TLeaf>(Bvh tree, in RayLanes<R> ray, R limit, ref TLeaf leaf)
+    public static void Run<R, F, I, TLeaf>(Bvh tree, in RayLanes<R> ray, in R limit, ref TLeaf leaf)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -25,7 +25,8 @@ internal static unsafe class BvhTraversal
             return;
         }
 
-        BvhRay<R, F, I> boxRay = BvhRay<R, F, I>.Prepare(tree, ray, ref limit, out R toFloat);
+        R limits = limit;
+        BvhRay<R, F, I>.Prepare(tree, ray, ref limits, out BvhRay<R, F, I> boxRay, out R toFloat);
         if (boxRay.Active == 0)
         {
             return;
@@ -34,16 +35,16 @@ internal static unsafe class BvhTraversal
         if (boxRay.SharesSigns)
         {
             BvhOctantTest<F> test = new(boxRay.NegativeX != 0, boxRay.NegativeY != 0, boxRay.NegativeZ != 0);
-            Descend<R, F, I, TLeaf, BvhOctantTest<F>>(tree, boxRay, toFloat, limit, test, ref leaf);
+            Descend<R, F, I, TLeaf, BvhOctantTest<F>>(tree, boxRay, toFloat, limits, test, ref leaf);
         }
         else
         {
-            Descend<R, F, I, TLeaf, BvhMixedTest<F>>(tree, boxRay, toFloat, limit, default, ref leaf);
+            Descend<R, F, I, TLeaf, BvhMixedTest<F>>(tree, boxRay, toFloat, limits, default, ref leaf);
         }
     }
 
     [SkipLocalsInit]
-    private static void Descend<R, F, I, TLeaf, TTest>(Bvh tree, in BvhRay<R, F, I> ray, R toFloat, R limit, TTest test, ref TLeaf leaf)
+    private static void Descend<R, F, I, TLeaf, TTest>(Bvh tree, in BvhRay<R, F, I> ray, in R toFloat, in R startLimit, TTest test, ref TLeaf leaf)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -52,6 +53,7 @@ internal static unsafe class BvhTraversal
     {
         int* pending = stackalloc int[Bvh.MaximumDepth + 2];
         int depth = 0;
+        R limit = startLimit;
         int secondFirst = ray.SecondChildFirst;
         BvhSlab<F> x = ray.X, y = ray.Y, z = ray.Z;
         F boxLimit = BvhRay<R, F, I>.LimitOf(limit, toFloat);

@@ -25,7 +25,7 @@ internal readonly struct CentredRay<R>
     public readonly R InverseLengthSquared;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public CentredRay(in RayLanes<R> ray, R centerX, R centerY, R centerZ)
+    public CentredRay(in RayLanes<R> ray, in R centerX, in R centerY, in R centerZ)
     {
         (DirectionX, DirectionY, DirectionZ) = (ray.DirectionX, ray.DirectionY, ray.DirectionZ);
         R x = Compensated.Difference(ray.OriginX, centerX, out R restX);

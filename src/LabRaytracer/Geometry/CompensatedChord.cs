@@ -12,7 +12,7 @@ internal readonly struct CompensatedChord<R>
     public readonly R T;
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public CompensatedChord(in RayLanes<R> ray, R centerX, R centerY, R centerZ, R radius, R k, R inverseLengthSquared)
+    public CompensatedChord(in RayLanes<R> ray, in R centerX, in R centerY, in R centerZ, in R radius, in R k, in R inverseLengthSquared)
     {
         (R dx, R dy, R dz) = (ray.DirectionX, ray.DirectionY, ray.DirectionZ);
         R x = Move(ray.OriginX, centerX, k, dx, out R lowX);

@@ -34,7 +34,7 @@ internal readonly struct DoubleWord<R>(R high, R low)
         return new DoubleWord<R>(product, R.Fma(a, b, -product));
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static DoubleWord<R> operator +(in DoubleWord<R> a, in DoubleWord<R> b)
     {
         R high = Compensated.Difference(a.High, -b.High, out R highError);
@@ -49,21 +49,21 @@ internal readonly struct DoubleWord<R>(R high, R low)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static DoubleWord<R> operator -(in DoubleWord<R> a) => new(-a.High, -a.Low);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static DoubleWord<R> operator *(in DoubleWord<R> a, in DoubleWord<R> b)
     {
         DoubleWord<R> product = Product(a.High, b.High);
         return Normalized(product.High, product.Low + R.Fma(a.High, b.Low, a.Low * b.High));
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static DoubleWord<R> operator *(in DoubleWord<R> a, R b)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static DoubleWord<R> operator *(in DoubleWord<R> a, in R b)
     {
         DoubleWord<R> product = Product(a.High, b);
         return Normalized(product.High, R.Fma(a.Low, b, product.Low));
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static DoubleWord<R> operator /(in DoubleWord<R> a, in DoubleWord<R> b)
     {
         R quotient = a.High / b.High;
@@ -72,7 +72,7 @@ internal readonly struct DoubleWord<R>(R high, R low)
     }
 
     /// <summary>Square root; 0 for what is not above 0.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     public static DoubleWord<R> Sqrt(in DoubleWord<R> a)
     {
         R positive = R.Less(R.Zero, a.High);
@@ -83,7 +83,7 @@ internal readonly struct DoubleWord<R>(R high, R low)
 
     /// <summary>Lane by lane, one or the other.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static DoubleWord<R> Select(R mask, in DoubleWord<R> yes, in DoubleWord<R> no) =>
+    public static DoubleWord<R> Select(in R mask, in DoubleWord<R> yes, in DoubleWord<R> no) =>
         new(R.Select(mask, yes.High, no.High), R.Select(mask, yes.Low, no.Low));
 
     /// <summary>A sum whose first part is the larger one.</summary>

@@ -13,5 +13,5 @@ internal interface IMeshSink<R>
     /// <param name="triangle">Number of the triangle.</param>
     /// <param name="limit">Ray parameters beyond which hits do not matter.</param>
     /// <returns>Whether a limit was lowered.</returns>
-    bool Take(R mask, R t, R weight1, R weight2, int triangle, ref R limit);
+    bool Take(in R mask, in R t, in R weight1, in R weight2, int triangle, ref R limit);
 }

@@ -7,7 +7,7 @@ internal struct MeshBlockSink<R> : IMeshSink<R>
     /// <summary>Mask of the rays that were hit.</summary>
     public R Blocked;
 
-    public bool Take(R mask, R t, R weight1, R weight2, int triangle, ref R limit)
+    public bool Take(in R mask, in R t, in R weight1, in R weight2, int triangle, ref R limit)
     {
         R blocked = mask & R.Less(t, limit);
         Blocked |= blocked;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Meshes of a scene, each with its own tree of boxes.</summary>
@@ -92,7 +94,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     }
 
     /// <summary>The first lane whose member no earlier lane has, or the width.</summary>
-    private static int NextMember(I members, int lane)
+    private static int NextMember(in I members, int lane)
     {
         for (lane++; lane < R.Width; lane++)
         {
@@ -112,7 +114,8 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     }
 
     /// <summary>Lanes on several meshes: mesh after mesh.</summary>
-    private void MergeMembers(I members, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, out SurfaceLanes<R> s)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void MergeMembers(in I members, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, out SurfaceLanes<R> s)
     {
         s = default;
         for (int lane = 0; lane < R.Width; lane = NextMember(members, lane))
@@ -123,7 +126,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     }
 
     /// <summary>Surface points on one mesh.</summary>
-    private void Compute(int member, I triangle, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, out SurfaceLanes<R> s)
+    private void Compute(int member, in I triangle, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, out SurfaceLanes<R> s)
     {
         MeshData mesh = _members[member].Mesh.Data;
         MeshSurface.Compute<R, F, I>(mesh, ToObject(member, rays.Collect(run)), triangle, run.Collect<R, F>(hits.A), run.Collect<R, F>(hits.B), out s);
@@ -134,12 +137,13 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     }
 
     /// <summary>Writes the lanes of one member.</summary>
-    private void Merge(int member, I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, ref SurfaceLanes<R> s)
+    private void Merge(int member, in I mask, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, in LaneRun<I> run, ref SurfaceLanes<R> s)
     {
         Compute(member, run.Collect(hits.Part) & mask, rays, hits, run, out SurfaceLanes<R> own);
         s = SurfaceLanes.Select(R.MaskFromInt32(mask), own, s);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private RayLanes<R> ToObject(int member, in RayLanes<R> ray) => isTransformed ? WorldSpace.ToObject(Transform(member), ray) : ray;
 
     private SharedParameters<R, F, I> Transform(int member) => new(_transforms, member * WorldSpace.ParameterCount);

@@ -6,7 +6,7 @@ namespace LabRaytracer;
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
 /// <typeparam name="P">How positions are stored.</typeparam>
 /// <typeparam name="TSink">What happens to hits.</typeparam>
-internal unsafe struct MeshLeaf<R, F, I, P, TSink>(MeshTriangle* triangles, P positions, in RayLanes<R> ray, R active, TSink sink) : IBvhLeaf<R>
+internal unsafe struct MeshLeaf<R, F, I, P, TSink>(MeshTriangle* triangles, P positions, in RayLanes<R> ray, in R active, in TSink sink) : IBvhLeaf<R>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>

@@ -27,7 +27,7 @@ internal readonly unsafe struct MeshNearestSink<R, F, I> : IMeshSink<R>
     public required I* Parts { get; init; }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public bool Take(R mask, R t, R weight1, R weight2, int triangle, ref R limit)
+    public bool Take(in R mask, in R t, in R weight1, in R weight2, int triangle, ref R limit)
     {
         I self = I.Of(Object), part = I.Of(triangle);
         R closer = mask & R.Less(t, limit);

@@ -4,7 +4,7 @@ namespace LabRaytracer;
 internal static unsafe class MeshSearch
 {
     /// <summary>Hands the hits with 0 &lt; t &lt;= limit to a sink, which lowers the limit.</summary>
-    public static void Run<R, F, I, TSink>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, R limit, ref TSink sink)
+    public static void Run<R, F, I, TSink>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, in R limit, ref TSink sink)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -25,7 +25,7 @@ internal static unsafe class MeshSearch
         }
     }
 
-    private static void Run<R, F, I, P, TSink>(P positions, MeshTree tree, in RayLanes<R> ray, R limit, ref TSink sink)
+    private static void Run<R, F, I, P, TSink>(P positions, MeshTree tree, in RayLanes<R> ray, in R limit, ref TSink sink)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>

@@ -13,7 +13,7 @@ internal static unsafe class MeshSurface
     /// <param name="b">Weights of vertex 2.</param>
     /// <param name="s">The surface.</param>
     /// <remarks>The point is a mean of the vertices, never o + t d: its distance from the triangle does not grow with the ray's length.</remarks>
-    public static void Compute<R, F, I>(MeshData mesh, in RayLanes<R> ray, I triangle, R a, R b, out SurfaceLanes<R> s)
+    public static void Compute<R, F, I>(MeshData mesh, in RayLanes<R> ray, in I triangle, in R a, in R b, out SurfaceLanes<R> s)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -28,8 +28,8 @@ internal static unsafe class MeshSurface
         s.PointY = s.LocalY = R.Fma(a, y1, R.Fma(b, y2, y0));
         s.PointZ = s.LocalZ = R.Fma(a, z1, R.Fma(b, z2, z0));
         s.Slack = Lane.Slack(Size(x0, x1, x2) + Size(y0, y1, y2) + Size(z0, z1, z2));
-        (R nx, R ny, R nz) = Unit(
-            Minor(y1, z2, z1, y2), Minor(z1, x2, x1, z2), Minor(x1, y2, y1, x2), -ray.DirectionX, -ray.DirectionY, -ray.DirectionZ);
+        (R nx, R ny, R nz) = (Minor(y1, z2, z1, y2), Minor(z1, x2, x1, z2), Minor(x1, y2, y1, x2));
+        Unit(ref nx, ref ny, ref nz, -ray.DirectionX, -ray.DirectionY, -ray.DirectionZ);
         (s.ShadingX, s.ShadingY, s.ShadingZ) = (nx, ny, nz);
         if (mesh.Normals.IsPresent)
         {
@@ -53,7 +53,7 @@ internal static unsafe class MeshSurface
     }
 
     /// <summary>The interpolated normal, or the geometric one (which is in <paramref name="s"/>) where normals cancel.</summary>
-    private static void ShadingNormal<R, F, I>(MeshData mesh, I corner, R a, R b, ref SurfaceLanes<R> s)
+    private static void ShadingNormal<R, F, I>(MeshData mesh, in I corner, in R a, in R b, ref SurfaceLanes<R> s)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -62,13 +62,14 @@ internal static unsafe class MeshSurface
         Edges<R, F, I>(mesh.Normals, at, 0, out R x0, out R x1, out R x2);
         Edges<R, F, I>(mesh.Normals, at, 1, out R y0, out R y1, out R y2);
         Edges<R, F, I>(mesh.Normals, at, 2, out R z0, out R z1, out R z2);
-        (s.ShadingX, s.ShadingY, s.ShadingZ) = Unit(
-            R.Fma(a, x1, R.Fma(b, x2, x0)), R.Fma(a, y1, R.Fma(b, y2, y0)), R.Fma(a, z1, R.Fma(b, z2, z0)), s.ShadingX, s.ShadingY, s.ShadingZ);
+        (R x, R y, R z) = (R.Fma(a, x1, R.Fma(b, x2, x0)), R.Fma(a, y1, R.Fma(b, y2, y0)), R.Fma(a, z1, R.Fma(b, z2, z0)));
+        Unit(ref x, ref y, ref z, s.ShadingX, s.ShadingY, s.ShadingZ);
+        (s.ShadingX, s.ShadingY, s.ShadingZ) = (x, y, z);
     }
 
     /// <summary>A number at vertex 0, and its changes towards vertices 1 and 2.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Edges<R, F, I>(MeshColumn column, in MeshCorners<I> corners, int k, out R at0, out R to1, out R to2)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Edges<R, F, I>(in MeshColumn column, in MeshCorners<I> corners, int k, out R at0, out R to1, out R to2)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -93,7 +94,7 @@ internal static unsafe class MeshSurface
         where R : unmanaged, IReal<R> => R.Abs(at0) + R.Abs(to1) + R.Abs(to2);
 
     /// <summary>A vector of length 1; the direction of a second one where the first is 0. Squares neither overflow nor vanish.</summary>
-    private static (R X, R Y, R Z) Unit<R>(R x, R y, R z, R otherX, R otherY, R otherZ)
+    private static void Unit<R>(ref R x, ref R y, ref R z, in R otherX, in R otherY, in R otherZ)
         where R : unmanaged, IReal<R>
     {
         R isZero = R.Equal(x, R.Zero) & R.Equal(y, R.Zero) & R.Equal(z, R.Zero);
@@ -105,6 +106,8 @@ internal static unsafe class MeshSurface
         y /= largest;
         z /= largest;
         R length = R.Sqrt(Lane.Dot(x, y, z, x, y, z));
-        return (x / length, y / length, z / length);
+        x /= length;
+        y /= length;
+        z /= length;
     }
 }

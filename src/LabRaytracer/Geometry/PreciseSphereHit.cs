@@ -25,7 +25,7 @@ internal readonly struct PreciseSphereHit<R>
     /// within that / root + 4 u² root, s within 81 u² (l² + r²) / root + 24 u² |s|, because root is at most |d| r, and t within 3 u² t more: all below 128.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public PreciseSphereHit(in RayLanes<R> ray, R centerX, R centerY, R centerZ, R radius, R k)
+    public PreciseSphereHit(in RayLanes<R> ray, in R centerX, in R centerY, in R centerZ, in R radius, in R k)
     {
         PreciseLine<R> line = new(ray, centerX, centerY, centerZ, k);
         (R dx, R dy, R dz) = (ray.DirectionX, ray.DirectionY, ray.DirectionZ);

@@ -34,7 +34,7 @@ internal sealed unsafe class RayBatch<R, F, I>
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Limit = memory.Column<R>(capacity, R.Width);
         Source = memory.Column<I>(capacity, I.Width);
-        new Span<I>(Source, (capacity + I.Width - 1) / I.Width).Fill(I.Of(-1));
+        new Span<int>(Source, (capacity + I.Width - 1) / I.Width * I.Width).Fill(-1);
         _originX = R.IsSingle ? (F*)OriginX : memory.Column<F>(capacity, R.Width);
         _originY = R.IsSingle ? (F*)OriginY : memory.Column<F>(capacity, R.Width);
         _originZ = R.IsSingle ? (F*)OriginZ : memory.Column<F>(capacity, R.Width);

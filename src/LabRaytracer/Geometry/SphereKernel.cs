@@ -226,7 +226,7 @@ internal readonly struct SphereKernel : IShapeKernel
 
     /// <summary>Hit or miss, and t, of the lanes of a mask with twice the digits; the others stay.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static R Decide<R, P>(in P shape, in RayLanes<R> ray, R k, R mask, R hit, ref R t)
+    private static R Decide<R, P>(in P shape, in RayLanes<R> ray, in R k, in R mask, in R hit, ref R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {

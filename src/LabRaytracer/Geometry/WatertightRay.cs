@@ -29,7 +29,7 @@ internal readonly struct WatertightRay<R>
     /// <summary>Prepares rays.</summary>
     /// <param name="ray">The rays.</param>
     /// <param name="active">Mask of the lanes that count; nothing is promised for the others.</param>
-    public WatertightRay(in RayLanes<R> ray, R active)
+    public WatertightRay(in RayLanes<R> ray, in R active)
     {
         R x = R.Abs(ray.DirectionX), y = R.Abs(ray.DirectionY), z = R.Abs(ray.DirectionZ);
         AlongX = R.Less(y, x) & R.Less(z, x);

@@ -30,8 +30,14 @@ public sealed class PointLight : Light, IWideLight
     /// <inheritdoc/>
     public override bool TrySample(Point3D point, out LightSample sample) => LightFormulas.TrySample(Own, point, out sample);
 
+    void IWideLight.Sample<R, F, I>(SurfaceBatch<R, F, I> surfaces, in LightColumns<R, F> samples, int packets) => Shine(surfaces, samples, packets);
+
+    /// <summary>The same, not virtual: ahead-of-time compilers do not see through virtual generic methods.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    void IWideLight.Sample<R, F, I>(SurfaceBatch<R, F, I> surfaces, in LightColumns<R, F> samples, int packets) =>
+    internal void Shine<R, F, I>(SurfaceBatch<R, F, I> surfaces, in LightColumns<R, F> samples, int packets)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> =>
         LightFormulas.Sample(Own, surfaces, samples, packets);
 
     private readonly record struct Formula(Point3D Position, Intensity Intensity, Attenuation Attenuation) : ILightFormula

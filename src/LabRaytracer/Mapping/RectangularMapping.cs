@@ -39,7 +39,7 @@ public sealed class RectangularMapping : IWideMapping
     void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets) =>
         PointFormulas.Gradients<Formula, T>(positions, gradients, packets);
 
-    private readonly struct Formula : IPointFormula
+    internal readonly struct Formula : IPointFormula
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static (T U, T V) Coordinates<T>(T x, T y, T z)

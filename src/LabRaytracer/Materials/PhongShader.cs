@@ -16,8 +16,12 @@ public sealed class PhongShader : IWideShader
     public Intensity Reflect(in SurfaceValues values, Vector3D normal, Vector3D toLight, Vector3D toViewer) =>
         ScalarShader.Reflect(this, values, normal, toLight, toViewer);
 
+    void IWideShader.Reflect<F>(in ShaderLanes<F> point, out F red, out F green, out F blue) => Formula(point, out red, out green, out blue);
+
+    /// <summary>The same, not virtual: ahead-of-time compilers do not see through virtual generic methods.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    void IWideShader.Reflect<F>(in ShaderLanes<F> point, out F red, out F green, out F blue)
+    internal static void Formula<F>(in ShaderLanes<F> point, out F red, out F green, out F blue)
+        where F : unmanaged, IReal<F>
     {
         F diffuseCosine = SpecularLobe.DiffuseCosine(point);
         SpecularLobe.Diffuse(point, diffuseCosine, out red, out green, out blue);

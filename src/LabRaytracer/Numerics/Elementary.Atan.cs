@@ -109,7 +109,7 @@ internal static partial class Elementary
 
     /// <summary>The same for any input: lanes out of the ordinary are scaled by powers of two first.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static (T Azimuth, T Height) SphereTurnsRescaled<T>(T x, T y, T z)
+    private static (T Azimuth, T Height) SphereTurnsRescaled<T>(in T x, in T y, in T z)
         where T : unmanaged, IReal<T>
     {
         T ax = AnyMagnitude(x);

@@ -11,7 +11,14 @@ internal sealed unsafe class PictureSampler<TReader>(
 {
     public override (TexelAxis Across, TexelAxis Up)? FindAxes(IMapping mapping) => Axes(mapping.DefaultWrapU, mapping.DefaultWrapV);
 
-    public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
+    public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets) => Run<R, F, I>(lookups, colors, packets);
+
+    /// <summary>The same, not virtual: ahead-of-time compilers do not see through virtual generic methods.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    internal void Run<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
     {
         (TexelAxis across, TexelAxis up) = Axes(lookups.WrapU, lookups.WrapV);
         R* u = lookups.Coordinates.U;

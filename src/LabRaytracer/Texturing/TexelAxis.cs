@@ -14,7 +14,7 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
     /// <returns>Mask of lanes outside the picture (border only).</returns>
     /// <remarks>Compiled on its own: together with the texel reads it would exceed what the compiler inlines, and every lane operation would be a call.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public R Nearest<R, F, I>(R coordinate, out I texel)
+    public R Nearest<R, F, I>(in R coordinate, out I texel)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -33,7 +33,7 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
     /// <returns>Mask of lanes outside the picture (border only).</returns>
     /// <remarks>Compiled on its own: together with the texel reads it would exceed what the compiler inlines, and every lane operation would be a call.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public R Between<R, F, I>(R coordinate, out I first, out I second, out F weight)
+    public R Between<R, F, I>(in R coordinate, out I first, out I second, out F weight)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
