@@ -22,7 +22,7 @@ internal readonly record struct CompiledScalar(ScalarSlot Slot, float Value, int
         ColorColumns<F> texels = colors[Lookup];
         F texel = Slot.Channel switch
         {
-            TextureChannel.Red => texels.R[packet],
+            TextureChannel.Red or TextureChannel.Alpha => texels.R[packet],
             TextureChannel.Green => texels.G[packet],
             TextureChannel.Blue => texels.B[packet],
             _ => (F.Of(0.2126f) * texels.R[packet]) + (F.Of(0.7152f) * texels.G[packet]) + (F.Of(0.0722f) * texels.B[packet]),

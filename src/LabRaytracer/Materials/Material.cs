@@ -41,6 +41,26 @@ public sealed class Material
     /// <summary>Tells whether only the side that the normal points to gives off light.</summary>
     internal bool EmitsFromFrontOnly { get; init; }
 
+    /// <summary>
+    /// How much of the surface is there: 1 (default) all of it, 0 nothing, as if the object were not there; in between, that share of its light and the rest of
+    /// what lies behind. Values outside [0, 1] count as the nearest end.
+    /// </summary>
+    /// <remarks>
+    /// <para>Rays go straight on, unlike those of <see cref="Transparency"/>. A lamp's light is multiplied by 1 - opacity for every such surface on its way.</para>
+    /// <para>A ray passes at most 256 surfaces with an opacity below 1; behind them is black.
+    /// A colour slot that shows the picture whose alpha is read here gets colours weighted by alpha: hidden texels do not tint the edges.</para>
+    /// </remarks>
+    public ScalarSlot Opacity { get; init => field = PropertyChecks.NotNull(value); } = 1;
+
+    /// <summary>Factor of the ambient light that arrives: an ambient occlusion map, which <see cref="ScalarSlot.Amount"/> s weakens to 1 + s (o - 1). Default: 1.</summary>
+    public ScalarSlot Occlusion { get; init => field = PropertyChecks.NotNull(value); } = 1;
+
+    /// <summary>Light that was computed beforehand and arrives here, before it is multiplied by <see cref="Diffuse"/>: a light map. Default: black, none.</summary>
+    public TextureSlot LightMap { get; init => field = PropertyChecks.NotNull(value); } = Intensity.Black;
+
+    /// <summary>Whether the light map adds to the lamps' light (default) or replaces it.</summary>
+    public LightMapMode LightMapMode { get; init => field = PropertyChecks.Known(value); }
+
     /// <summary>The lighting model. Default: Phong.</summary>
     public IShader Shader { get; init => field = PropertyChecks.NotNull(value); } = PhongShader.Default;
 

@@ -46,9 +46,10 @@ public sealed class ScalarSlot
     public static implicit operator ScalarSlot(double value) => new() { Value = (float)value };
 
     /// <summary>The number of the chosen channel.</summary>
+    /// <param name="texel">Colour of the texture, linear; where the channel is alpha, alpha as a grey.</param>
     public float Read(Intensity texel) => Channel switch
     {
-        TextureChannel.Red => texel.R,
+        TextureChannel.Red or TextureChannel.Alpha => texel.R,
         TextureChannel.Green => texel.G,
         TextureChannel.Blue => texel.B,
         _ => texel.Luminance,

@@ -14,4 +14,7 @@ public enum TextureChannel
 
     /// <summary>Blue.</summary>
     Blue,
+
+    /// <summary>Alpha: 1 opaque, 0 not there; 1 everywhere in a texture without alpha.</summary>
+    Alpha,
 }

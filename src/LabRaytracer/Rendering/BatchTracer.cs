@@ -17,6 +17,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private readonly SecondaryRays _secondary;
     private readonly SurfaceNeeds _needs;
     private readonly PixelSampling? _sampling;
+    private readonly AlphaCamera<R, F, I>? _alpha;
 
     public BatchTracer(
         CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity, PixelSampling? sampling)
@@ -37,7 +38,9 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Pixels = new int[capacity];
         Tally = options.View == RenderView.Cost ? new RayTally(Pixels, capacity) : null;
         LampPlaces<R, F, I>? places = sampling is null ? null : new LampPlaces<R, F, I>(sampling, Pixels, memory, capacity);
-        _lights = new LightStage<R, F, I>(scene, _buffers, new LampSampler<R, F, I>(scene, _buffers, places), counters, Tally);
+        LampSampler<R, F, I> lamps = new(scene, _buffers, places);
+        _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), counters, memory, capacity);
+        _lights = new LightStage<R, F, I>(scene, _buffers, lamps, counters, Tally, AlphaShadows<R, F, I>.Of(scene, counters, memory, capacity));
     }
 
     /// <summary>Most rays of a batch.</summary>
@@ -68,13 +71,15 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Tally?.Add(rays);
         _scene.Nearest(rays, _hits);
         Counters.Charge(RenderStage.Intersect);
+        bool passed = _alpha is not null && TraceLayers(_alpha, rays, depth);
+        Intensity[] weights = passed ? _alpha!.Weights : Weights;
         _groups.Sort(rays, _hits);
         Counters.Charge(RenderStage.Group);
         for (int key = 0; key < _scene.Keys.Count; key++)
         {
             if (_groups.Count[key] > 0)
             {
-                Shade(_scene.Keys[key], rays, _groups.Order + _groups.Start[key], _groups.Count[key], depth);
+                Shade(_scene.Keys[key], rays, _hits, _groups.Order + _groups.Start[key], _groups.Count[key], depth, weights);
             }
         }
 
@@ -84,6 +89,11 @@ internal sealed unsafe class BatchTracer<R, F, I>
             int* order = _groups.Order + _groups.Start[_groups.MissKey];
             BackgroundStage.Run(_scene.Background, rays, order, missed, _buffers, Counters);
             Scatter(order, missed);
+        }
+
+        if (passed)
+        {
+            _alpha!.Combine(rays.Packets, Radiance);
         }
 
         Counters.HitsRefined += _hits.Refined;
@@ -98,6 +108,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     public void Probe(RayBatch<R, F, I> rays, int[] objects, double[] u)
     {
         _scene.Nearest(rays, _hits);
+        _scene.AlphaSurfaces?.Nearest(rays, _hits, 0, rays.Packets);
         _groups.Sort(rays, _hits);
         new ReadOnlySpan<int>((int*)_hits.Object, rays.Count).CopyTo(objects);
         for (int key = 0; key < _scene.Keys.Count; key++)
@@ -118,12 +129,52 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Counters.Charge(RenderStage.Map);
     }
 
-    private void Shade(ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, int* order, int count, int depth)
+    /// <summary>Follows a batch through the surfaces with an opacity before its opaque hits.</summary>
+    /// <returns>False if it meets none.</returns>
+    private bool TraceLayers(AlphaCamera<R, F, I> alpha, RayBatch<R, F, I> rays, int depth)
+    {
+        alpha.Start(rays, _hits);
+        if (!alpha.Layers.Next())
+        {
+            return false;
+        }
+
+        int layer = 1;
+        do
+        {
+            for (int key = 0; key < _scene.Keys.Count; key++)
+            {
+                ShadeLayer(alpha, key, depth);
+            }
+
+            _secondary.EndLayer(rays.Count);
+            alpha.Pass(rays.Count, Weights);
+            layer++;
+        }
+        while (alpha.Layers.Next() && layer <= AlphaLayers<R, F, I>.Most);
+        alpha.Finish(rays, _hits, Weights);
+        return true;
+    }
+
+    /// <summary>Light of the hits of the current layer on one material.</summary>
+    private void ShadeLayer(AlphaCamera<R, F, I> alpha, int key, int depth)
+    {
+        HitGroups<R, F, I> groups = alpha.Layers.Groups;
+        int chosen = groups.Count[key] == 0 ? 0 : alpha.Choose(groups.Order + groups.Start[key], groups.Count[key], Weights);
+        if (chosen > 0)
+        {
+            Shade(_scene.Keys[key], alpha.Layers.Rays, alpha.Layers.Hits, alpha.Order, chosen, depth, alpha.Weights, alpha.Layers.Travelled);
+            alpha.Add(chosen, Radiance);
+        }
+    }
+
+    private void Shade(
+        ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int depth, Intensity[] weights, R* travelled = null)
     {
         CompiledMaterial material = key.Material;
-        key.Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs);
+        key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs);
         Counters.Hits += count;
-        ViewerStage.Run(rays, _hits, order, count, _buffers);
+        ViewerStage.Run(rays, hits, order, count, _buffers);
         Counters.Charge(RenderStage.Surface);
         if (ViewStage.IsShaded(_options.View))
         {
@@ -131,12 +182,12 @@ internal sealed unsafe class BatchTracer<R, F, I>
             _lights.Run(material, order, count);
             if (material.HasSecondaryRays && depth < _options.MaxDepth)
             {
-                _secondaryStage.Run(material, order, count, Weights, Pixels);
+                _secondaryStage.Run(material, order, count, weights, Pixels);
             }
         }
         else
         {
-            ViewStage.Run(_options.View, _hits, order, count, material, _buffers);
+            ViewStage.Run(_options.View, hits, travelled, order, count, material, _buffers);
         }
 
         Scatter(order, count);

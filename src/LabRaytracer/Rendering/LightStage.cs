@@ -5,7 +5,12 @@ namespace LabRaytracer;
 
 /// <summary>Lamps and shadows of a group of hits.</summary>
 internal sealed unsafe class LightStage<R, F, I>(
-    CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, LampSampler<R, F, I> lamps, WorkerCounters counters, RayTally? tally)
+    CompiledScene<R, F, I> scene,
+    ShadingBuffers<R, F, I> buffers,
+    LampSampler<R, F, I> lamps,
+    WorkerCounters counters,
+    RayTally? tally,
+    AlphaShadows<R, F, I>? alpha)
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -48,6 +53,14 @@ internal sealed unsafe class LightStage<R, F, I>(
             if (hasAmbient)
             {
                 material.Ambient.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
+                if (material.IsOccluded)
+                {
+                    F open = material.Occlusion.Read(buffers.Texels, packet);
+                    kr *= open;
+                    kg *= open;
+                    kb *= open;
+                }
+
                 red = F.Fma(kr, ambientR, red);
                 green = F.Fma(kg, ambientG, green);
                 blue = F.Fma(kb, ambientB, blue);
@@ -56,6 +69,25 @@ internal sealed unsafe class LightStage<R, F, I>(
             radiance.R[packet] = red;
             radiance.G[packet] = green;
             radiance.B[packet] = blue;
+        }
+
+        if (!material.LightMap.IsBlack)
+        {
+            AddLightMap(material, packets);
+        }
+    }
+
+    /// <summary>Adds the light that was computed beforehand.</summary>
+    private void AddLightMap(CompiledMaterial material, int packets)
+    {
+        ColorColumns<F> radiance = buffers.Radiance;
+        for (int packet = 0; packet < packets; packet++)
+        {
+            material.Diffuse.Read(buffers.Texels, packet, out F dr, out F dg, out F db);
+            material.LightMap.Read(buffers.Texels, packet, out F red, out F green, out F blue);
+            radiance.R[packet] = F.Fma(dr, red, radiance.R[packet]);
+            radiance.G[packet] = F.Fma(dg, green, radiance.G[packet]);
+            radiance.B[packet] = F.Fma(db, blue, radiance.B[packet]);
         }
     }
 
@@ -70,6 +102,7 @@ internal sealed unsafe class LightStage<R, F, I>(
             if (scene.Lights[lamp].CastsShadows)
             {
                 scene.Block(buffers.ShadowRays);
+                alpha?.Run(buffers.ShadowRays, buffers.Light.Intensity);
             }
 
             Add(material, packets, count);

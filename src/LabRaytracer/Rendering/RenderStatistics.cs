@@ -40,6 +40,9 @@ public sealed class RenderStatistics
     /// <summary>Lookups of textures, one a hit and distinct texture.</summary>
     public long TextureLookups { get; internal set; }
 
+    /// <summary>Looks at the opacity of a surface, by camera and shadow rays; 0 unless a material has one.</summary>
+    public long AlphaTests { get; internal set; }
+
     /// <summary>Slot values that were constant, so that neither mapping nor texture was evaluated.</summary>
     public long ConstantSlots { get; internal set; }
 

@@ -9,6 +9,7 @@ internal sealed class SecondaryRays(int capacity)
     private readonly SecondaryRay[] _reflected = new SecondaryRay[capacity];
     private readonly SecondaryRay[] _refracted = new SecondaryRay[capacity];
     private readonly byte[] _present = new byte[capacity];
+    private readonly List<(int Ray, int Turn, SecondaryRay Secondary)> _layers = [];
     private bool _any;
 
     /// <summary>Keeps the reflected ray of a ray.</summary>
@@ -27,18 +28,47 @@ internal sealed class SecondaryRays(int capacity)
         _any = true;
     }
 
+    /// <summary>Sets the rays of one layer of surfaces aside: their places are free for those of the next one.</summary>
+    /// <param name="count">Number of rays of the batch.</param>
+    public void EndLayer(int count)
+    {
+        for (int ray = 0; _any && ray < count; ray++)
+        {
+            if ((_present[ray] & 1) != 0)
+            {
+                _layers.Add((ray, _layers.Count, _reflected[ray]));
+            }
+
+            if ((_present[ray] & 2) != 0)
+            {
+                _layers.Add((ray, _layers.Count, _refracted[ray]));
+            }
+
+            _present[ray] = 0;
+        }
+
+        _any = false;
+    }
+
     /// <summary>Moves what was kept to the end of a list.</summary>
     /// <param name="count">Number of rays of the batch.</param>
     /// <param name="queue">The list.</param>
     public void MoveTo(int count, List<SecondaryRay> queue)
     {
-        if (!_any)
+        if (!_any && _layers.Count == 0)
         {
             return;
         }
 
+        _layers.Sort(static (a, b) => (a.Ray, a.Turn).CompareTo((b.Ray, b.Turn)));
+        int layer = 0;
         for (int ray = 0; ray < count; ray++)
         {
+            for (; layer < _layers.Count && _layers[layer].Ray == ray; layer++)
+            {
+                queue.Add(_layers[layer].Secondary);
+            }
+
             if ((_present[ray] & 1) != 0)
             {
                 queue.Add(_reflected[ray]);
@@ -52,6 +82,7 @@ internal sealed class SecondaryRays(int capacity)
             _present[ray] = 0;
         }
 
+        _layers.Clear();
         _any = false;
     }
 }

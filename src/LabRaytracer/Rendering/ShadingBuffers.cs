@@ -19,14 +19,14 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
         DirectionY = memory.Column<R>(capacity, R.Width);
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Inside = memory.Column<R>(capacity, R.Width);
-        IEnumerable<CompiledMaterial> materials = scene.Keys.Select(key => key.Material).Append(scene.Background);
-        Coordinates = new CoordinateBatch<R>[Math.Max(1, materials.Max(material => material.Coordinates.Count))];
+        LookupList[] lists = [.. scene.Keys.Select(key => key.Material).Append(scene.Background).SelectMany(material => material.AllTextures)];
+        Coordinates = new CoordinateBatch<R>[Math.Max(1, lists.Max(list => list.Coordinates.Count))];
         for (int set = 0; set < Coordinates.Length; set++)
         {
             Coordinates[set] = new CoordinateBatch<R> { U = memory.Column<R>(capacity, R.Width), V = memory.Column<R>(capacity, R.Width) };
         }
 
-        Texels = new ColorColumns<F>[Math.Max(1, materials.Max(material => material.Lookups.Count))];
+        Texels = new ColorColumns<F>[Math.Max(1, lists.Max(list => list.Lookups.Count))];
         for (int lookup = 0; lookup < Texels.Length; lookup++)
         {
             Texels[lookup] = new ColorColumns<F>(memory, capacity);

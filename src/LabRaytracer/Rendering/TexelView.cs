@@ -14,7 +14,7 @@ internal static unsafe class TexelView
     {
         foreach (CompiledLookup lookup in material.Lookups)
         {
-            if (lookup.Coordinates >= 0 && lookup.Sampler.FindAxes(material.Coordinates[lookup.Coordinates].Mapping) is { } axes)
+            if (lookup.Coordinates >= 0 && lookup.Sampler?.FindAxes(material.Coordinates[lookup.Coordinates].Mapping) is { } axes)
             {
                 CoordinateBatch<R> coordinates = buffers.Coordinates[lookup.Coordinates];
                 TextureStage.Map(material.Coordinates[lookup.Coordinates], buffers.Surfaces.Positions, coordinates, count, (count + R.Width - 1) / R.Width);

@@ -10,6 +10,15 @@ internal static unsafe class TextureStage
         where I : unmanaged, IIndexLane<I>
     {
         counters.ConstantSlots += (long)count * material.ConstantSlots;
+        Run(material.Textures, buffers, count, counters);
+    }
+
+    /// <summary>Fills coordinate sets and texel colours.</summary>
+    public static void Run<R, F, I>(LookupList material, ShadingBuffers<R, F, I> buffers, int count, WorkerCounters counters)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
         if (material.Lookups.Count == 0)
         {
             return;
@@ -35,7 +44,12 @@ internal static unsafe class TextureStage
                 lookups.WrapV = mapping.DefaultWrapV;
             }
 
-            lookup.Sampler.Sample<R, F, I>(lookups, buffers.Texels[k], packets);
+            lookup.Sampler!.Sample<R, F, I>(lookups, buffers.Texels[k], packets);
+            if (lookup.Alpha >= 0)
+            {
+                Divide(buffers.Texels[k], buffers.Texels[lookup.Alpha], packets);
+            }
+
             if (lookup.Coordinates >= 0 && material.Coordinates[lookup.Coordinates].Mapping is not IWideMapping)
             {
                 MarkLost(lookups.Coordinates, buffers.Texels[k], count);
@@ -44,6 +58,19 @@ internal static unsafe class TextureStage
 
         counters.TextureLookups += (long)count * material.Lookups.Count;
         counters.Charge(RenderStage.Texture);
+    }
+
+    /// <summary>Colours that were multiplied by alpha, straight again; black where nothing is there.</summary>
+    private static void Divide<F>(in ColorColumns<F> colors, in ColorColumns<F> alpha, int packets)
+        where F : unmanaged, IReal<F>
+    {
+        for (int packet = 0; packet < packets; packet++)
+        {
+            F share = F.Select(F.Equal(alpha.R[packet], F.Zero), F.Of(1), alpha.R[packet]);
+            colors.R[packet] /= share;
+            colors.G[packet] /= share;
+            colors.B[packet] /= share;
+        }
     }
 
     /// <summary>

@@ -15,8 +15,15 @@ internal static unsafe class ViewStage
         : SurfaceNeeds.None;
 
     /// <summary>Writes the view's colours as radiance.</summary>
+    /// <param name="view">The view.</param>
+    /// <param name="hits">Hits of the batch.</param>
+    /// <param name="travelled">How far rays had come before, by ray; null for not at all.</param>
+    /// <param name="order">Numbers of the rays that hit.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="material">Their material.</param>
+    /// <param name="buffers">Their surface points; receives the colours.</param>
     public static void Run<R, F, I>(
-        RenderView view, HitBatch<R, F, I> hits, int* order, int count, CompiledMaterial material, ShadingBuffers<R, F, I> buffers)
+        RenderView view, HitBatch<R, F, I> hits, R* travelled, int* order, int count, CompiledMaterial material, ShadingBuffers<R, F, I> buffers)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -34,7 +41,7 @@ internal static unsafe class ViewStage
             {
                 RenderView.Uv => Fractions(Map(material.DefaultMapping, s, i)),
                 RenderView.Normal => Half(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i)),
-                RenderView.Depth => Intensity.Grey((float)(1 / (1 + R.Take(hits.T, order[i])))),
+                RenderView.Depth => Intensity.Grey((float)(1 / (1 + (R.Take(hits.T, order[i]) + (travelled == null ? 0 : R.Take(travelled, order[i])))))),
                 _ => ObjectColor(((int*)hits.Object)[order[i]]),
             });
         }

@@ -8,7 +8,9 @@ internal sealed class WorkerCounters
     private readonly long[] _ticks = new long[Enum.GetValues<RenderStage>().Length];
     private long _since;
 
-    public long PrimaryRays, SecondaryRays, Hits, HitsRefined, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped, Mappings, TextureLookups, ConstantSlots, NotFinite;
+    public long PrimaryRays, SecondaryRays, Hits, HitsRefined, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped;
+
+    public long Mappings, TextureLookups, AlphaTests, ConstantSlots, NotFinite;
 
     public (int X, int Y)? FirstNotFinite;
 
@@ -45,6 +47,7 @@ internal sealed class WorkerCounters
         statistics.SecondaryRaysSkipped += SecondaryRaysSkipped;
         statistics.Mappings += Mappings;
         statistics.TextureLookups += TextureLookups;
+        statistics.AlphaTests += AlphaTests;
         statistics.ConstantSlots += ConstantSlots;
         statistics.NotFinitePixels += NotFinite;
         if (FirstNotFinite is { } first && (statistics.FirstNotFinitePixel is not { } known || (first.Y, first.X).CompareTo((known.Y, known.X)) < 0))

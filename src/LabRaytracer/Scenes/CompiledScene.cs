@@ -37,10 +37,12 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
             group.Freeze(_memory, threads);
         }
 
-        _all = Search(entries, threads);
-        _casters = objects.All(item => item.CastsShadows)
-            ? _all
-            : Search([.. entries.Where(entry => objects[entry.Number].CastsShadows)], threads);
+        List<ObjectEntry<R, F, I>> opaque = [.. entries.Where(entry => !HasOpacity(entry))], alpha = [.. entries.Where(HasOpacity)];
+        bool Casts(ObjectEntry<R, F, I> entry) => objects[entry.Number].CastsShadows;
+        _all = Search(opaque, threads);
+        _casters = opaque.All(Casts) ? _all : Search([.. opaque.Where(Casts)], threads);
+        AlphaSurfaces = alpha.Count == 0 ? null : Search(alpha, threads);
+        AlphaCasters = alpha.All(Casts) ? AlphaSurfaces : alpha.Any(Casts) ? Search([.. alpha.Where(Casts)], threads) : null;
         Lights = [.. scene.Lights.Where(light => light is not AmbientLight)];
         foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
         {
@@ -68,6 +70,12 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
 
     /// <summary>Distinct pairs of shape class and material: hits are grouped by them.</summary>
     public List<ShadingKey<R, F, I>> Keys { get; } = [];
+
+    /// <summary>The objects with an opacity, which the searches below do not look at; null if there are none.</summary>
+    public SceneBvh<R, F, I>? AlphaSurfaces { get; }
+
+    /// <summary>Those of them that cast shadows; null if there are none.</summary>
+    public SceneBvh<R, F, I>? AlphaCasters { get; }
 
     /// <summary>Bytes of packed shapes and what searches them.</summary>
     public long Bytes => _memory.Bytes;
@@ -97,8 +105,12 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     {
         _all.Dispose();
         _casters.Dispose();
+        AlphaSurfaces?.Dispose();
+        AlphaCasters?.Dispose();
         _memory.Dispose();
     }
+
+    private bool HasOpacity(ObjectEntry<R, F, I> entry) => Keys[KeyOf(entry.Number)].Material.Opacity is not null;
 
     private static SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
         [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads);
@@ -120,7 +132,6 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
             }
 
             int member = group.Add(item.Shape, item.Transform, number);
-            entries.Add(new ObjectEntry<R, F, I>(number, group, member, item.Shape.Bounds.Transformed(item.Transform)));
             IMapping mapping = item.Shape.DefaultMapping;
             if (!keys.TryGetValue((group, item.Material, mapping), out int key))
             {
@@ -131,6 +142,10 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
 
             _memberOfObject[number] = member;
             _keyOfObject[number] = key;
+            if (Keys[key].Material.Opacity is not { IsInvisible: true })
+            {
+                entries.Add(new ObjectEntry<R, F, I>(number, group, member, item.Shape.Bounds.Transformed(item.Transform)));
+            }
         }
 
         return entries;

@@ -3,27 +3,34 @@ namespace LabRaytracer;
 /// <summary>Finds the textures that a render of a scene can look up.</summary>
 internal static class SceneTextures
 {
-    /// <summary>Textures of the objects' materials and of the background, with whether their slot is data; some may repeat.</summary>
-    public static IEnumerable<(ITexture Texture, bool IsData)> Used(Scene scene)
+    /// <summary>Textures of the objects' materials and of the background, with what is read of them; some may repeat.</summary>
+    public static IEnumerable<(ITexture Texture, TextureUse Use)> Used(Scene scene)
     {
-        foreach (TextureSlot slot in scene.Objects.Select(item => item.Material).Distinct().SelectMany(ColorSlots).Append(scene.Background))
+        Material[] materials = [.. scene.Objects.Select(item => item.Material).Distinct()];
+        return materials.SelectMany(Colors).Concat(materials.SelectMany(Numbers)).Concat(Colors(scene.Background, null));
+    }
+
+    private static IEnumerable<(ITexture Texture, TextureUse Use)> Colors(Material material)
+    {
+        ITexture? cutOut = material.Opacity.Channel == TextureChannel.Alpha ? material.Opacity.Texture : null;
+        return ColorSlots(material).SelectMany(slot => Colors(slot, cutOut));
+    }
+
+    private static IEnumerable<(ITexture Texture, TextureUse Use)> Colors(TextureSlot slot, ITexture? cutOut)
+    {
+        if (slot.Texture is not null && slot.IsTextured)
         {
-            if (slot.Texture is not null && slot.IsTextured)
-            {
-                yield return (slot.Texture, false);
-            }
+            yield return (slot.Texture, slot.Texture == cutOut ? TextureUse.Premultiplied : TextureUse.Color);
         }
+    }
 
-        foreach (Material material in scene.Objects.Select(item => item.Material).Distinct())
+    private static IEnumerable<(ITexture Texture, TextureUse Use)> Numbers(Material material)
+    {
+        foreach (ScalarSlot slot in NumberSlots(material))
         {
-            if (material.Shininess.Texture is not null && material.Shader.UsesSpecular && material.Specular is not { Texture: null, Value: { R: 0, G: 0, B: 0 } })
+            if (slot.Texture is not null && slot.Amount > 0)
             {
-                yield return (material.Shininess.Texture, true);
-            }
-
-            if (material.IndexOfRefraction.Texture is not null && material.Transparency is not { Texture: null, Value: { R: 0, G: 0, B: 0 } })
-            {
-                yield return (material.IndexOfRefraction.Texture, true);
+                yield return (slot.Texture, slot.Channel == TextureChannel.Alpha ? TextureUse.Alpha : TextureUse.Data);
             }
         }
     }
@@ -35,9 +42,35 @@ internal static class SceneTextures
         yield return material.Emission;
         yield return material.Reflection;
         yield return material.Transparency;
+        if (!IsBlack(material.Diffuse))
+        {
+            yield return material.LightMap;
+        }
+
         if (material.Shader.UsesSpecular)
         {
             yield return material.Specular;
         }
     }
+
+    private static IEnumerable<ScalarSlot> NumberSlots(Material material)
+    {
+        yield return material.Opacity;
+        if (material.Shader.UsesSpecular && !IsBlack(material.Specular))
+        {
+            yield return material.Shininess;
+        }
+
+        if (!IsBlack(material.Transparency))
+        {
+            yield return material.IndexOfRefraction;
+        }
+
+        if (!IsBlack(material.Ambient ?? material.Diffuse))
+        {
+            yield return material.Occlusion;
+        }
+    }
+
+    private static bool IsBlack(TextureSlot slot) => slot is { Texture: null, Value: { R: 0, G: 0, B: 0 } };
 }

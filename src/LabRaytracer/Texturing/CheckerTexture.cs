@@ -71,7 +71,7 @@ public sealed class CheckerTexture : IPreparedTexture
         return Double1.Any(IsOdd(sum)) ? Odd : Even;
     }
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new Sampler(this);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new Sampler(this);
 
     /// <summary>Number of the cell along one axis of the volume; a point exactly on a boundary belongs to the side its normal points away from.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

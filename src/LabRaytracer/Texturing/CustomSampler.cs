@@ -1,7 +1,7 @@
 namespace LabRaytracer;
 
 /// <summary>Looks up a texture that only knows one point at a time: a plain loop over the batch.</summary>
-internal sealed unsafe class CustomSampler(ITexture texture) : TextureSampler
+internal sealed unsafe class CustomSampler(ITexture texture, TextureUse use) : TextureSampler
 {
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
     {
@@ -19,10 +19,17 @@ internal sealed unsafe class CustomSampler(ITexture texture) : TextureSampler
             Vector3D normal = needsPoint
                 ? new(R.Take(lookups.Positions.NormalX, i), R.Take(lookups.Positions.NormalY, i), R.Take(lookups.Positions.NormalZ, i))
                 : default;
-            colors.Put(i, texture.Sample(new TextureLookup(
+            colors.Put(i, Read(new TextureLookup(
                 coordinate, point, normal, lookups.WrapU, lookups.WrapV,
                 needsFootprint && needsCoordinate ? lookups.Footprints.Take(i) : default,
                 needsFootprint && needsPoint ? lookups.LocalFootprints.Take(i) : default)));
         }
     }
+
+    private Intensity Read(in TextureLookup lookup) => use switch
+    {
+        TextureUse.Alpha => Intensity.Grey(texture.Alpha(lookup)),
+        TextureUse.Premultiplied when texture.HasAlpha => texture.Sample(lookup) * texture.Alpha(lookup),
+        _ => texture.Sample(lookup),
+    };
 }

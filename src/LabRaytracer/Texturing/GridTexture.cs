@@ -54,7 +54,7 @@ public sealed unsafe class GridTexture : IPreparedTexture
         return new Intensity(s_palette[3 * color.Value], s_palette[(3 * color.Value) + 1], s_palette[(3 * color.Value) + 2]);
     }
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new Sampler(this);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new Sampler(this);
 
     /// <summary>Number of the colour at a point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -4,7 +4,7 @@ namespace LabRaytracer;
 internal interface IPreparedTexture : ITexture
 {
     /// <summary>Makes the texture ready: decodes its file, packs its texels.</summary>
-    /// <param name="isData">True in slots of numbers, where codes are not sRGB-decoded by default.</param>
+    /// <param name="use">What is read of it; alpha only of a texture that has one.</param>
     /// <param name="filter">Filter that overrides the texture's own, or null.</param>
-    TextureSampler Prepare(bool isData, TextureFilter? filter);
+    TextureSampler Prepare(TextureUse use, TextureFilter? filter);
 }

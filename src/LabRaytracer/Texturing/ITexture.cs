@@ -14,4 +14,12 @@ public interface ITexture
     /// <param name="lookup">Where.</param>
     /// <returns>Linear colour, not clamped.</returns>
     Intensity Sample(in TextureLookup lookup);
+
+    /// <summary>Tells whether <see cref="Alpha"/> can be below 1. Default: no, and it is never asked.</summary>
+    bool HasAlpha => false;
+
+    /// <summary>How much of the texture is there: 1 opaque, 0 nothing. Default: 1.</summary>
+    /// <param name="lookup">Where.</param>
+    /// <returns>Alpha, [0, 1].</returns>
+    float Alpha(in TextureLookup lookup) => 1;
 }

@@ -7,12 +7,20 @@ internal static unsafe class PictureSamplers
 {
     /// <summary>The sampler of a store.</summary>
     /// <param name="store">Packed texels.</param>
-    /// <param name="isData">True in slots of numbers.</param>
+    /// <param name="use">What is read of it.</param>
     /// <param name="options">How the texture is looked up.</param>
     /// <param name="filter">Filter, overrides the options' one.</param>
-    public static TextureSampler Create(TexelStore store, bool isData, SamplingOptions options, TextureFilter filter)
+    public static TextureSampler Create(TexelStore store, TextureUse use, SamplingOptions options, TextureFilter filter)
     {
-        TransferFunction transfer = Transfer(store, isData, options.ColorSpace);
+        switch (use)
+        {
+            case TextureUse.Alpha:
+                return Alpha(store, options, filter);
+            case TextureUse.Premultiplied when store.Pixels.HasAlpha:
+                return Premultiplied(store, options, filter);
+        }
+
+        TransferFunction transfer = Transfer(store, use == TextureUse.Data, options.ColorSpace);
         return store.Pixels.Format switch
         {
             PixelFormat.Rgba8 when transfer.IsLinear =>
@@ -27,6 +35,35 @@ internal static unsafe class PictureSamplers
     public static ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData, ColorSpace colorSpace) => store.Pixels.Format == PixelFormat.RgbaFloat
         ? default
         : ColorEncoding.DecodeTable(Transfer(store, isData, colorSpace), store.Pixels.Format);
+
+    private static TextureSampler Alpha(TexelStore store, SamplingOptions options, TextureFilter filter) => store.Pixels.Format switch
+    {
+        PixelFormat.Rgba8 => new PictureSampler<Alpha8Reader>(store, null, new Alpha8Reader((int*)store.Samples), options, filter),
+        PixelFormat.Rgba16 => new PictureSampler<Alpha16Reader>(store, null, new Alpha16Reader((int*)store.Samples), options, filter),
+        _ => new PictureSampler<AlphaFloatReader>(store, null, new AlphaFloatReader((float*)store.Samples), options, filter),
+    };
+
+    private static TextureSampler Premultiplied(TexelStore store, SamplingOptions options, TextureFilter filter)
+    {
+        TransferFunction transfer = Transfer(store, isData: false, options.ColorSpace);
+        return store.Pixels.Format switch
+        {
+            PixelFormat.Rgba8 => WithTable(
+                store,
+                transfer,
+                (texels, table) => new PremultipliedReader<Table8Reader, Alpha8Reader>(new((int*)texels, (float*)table), new((int*)texels)),
+                options,
+                filter),
+            PixelFormat.Rgba16 => WithTable(
+                store,
+                transfer,
+                (texels, table) => new PremultipliedReader<Table16Reader, Alpha16Reader>(new((int*)texels, (float*)table), new((int*)texels)),
+                options,
+                filter),
+            _ => new PictureSampler<PremultipliedReader<FloatReader, AlphaFloatReader>>(
+                store, null, new(new((float*)store.Samples), new((float*)store.Samples)), options, filter),
+        };
+    }
 
     private static TransferFunction Transfer(TexelStore store, bool isData, ColorSpace colorSpace) => colorSpace switch
     {

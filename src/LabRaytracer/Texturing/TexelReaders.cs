@@ -68,7 +68,7 @@ internal readonly unsafe struct Linear8Reader(int* texels) : ITexelReader
 
     /// <summary>code / 255, correctly rounded for all 256 codes (tested): the product with 1/255 in two parts.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static F Share<F, I>(I code)
+    public static F Share<F, I>(I code)
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {

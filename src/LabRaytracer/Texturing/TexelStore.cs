@@ -49,5 +49,19 @@ internal sealed unsafe class TexelStore
         };
     }
 
+    /// <summary>Alpha of one texel, [0, 1]; y up.</summary>
+    /// <param name="x">Column, [0, width).</param>
+    /// <param name="y">Row, up, [0, height).</param>
+    public float Alpha(int x, int y)
+    {
+        int at = (4 * (Start - (y * Width) + x)) + 3;
+        return Pixels.Format switch
+        {
+            PixelFormat.Rgba8 => Pixels.Rgba8![at] / 255f,
+            PixelFormat.Rgba16 => Pixels.Rgba16![at] / 65535f,
+            _ => Pixels.RgbaFloat![at],
+        };
+    }
+
     private static Intensity Decode(ReadOnlySpan<float> table, int r, int g, int b) => new(table[r], table[g], table[b]);
 }

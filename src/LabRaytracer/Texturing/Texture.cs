@@ -9,6 +9,7 @@ namespace LabRaytracer;
 public sealed class Texture : IPreparedTexture
 {
     private readonly Lazy<TexelStore>? _store;
+    private readonly float[,]? _alphaMap;
     private Intensity[,]? _colorMap;
     private SamplingOptions _sampling = SamplingOptions.Default;
 
@@ -34,10 +35,30 @@ public sealed class Texture : IPreparedTexture
         _colorMap = colorMap;
     }
 
-    private Texture(Lazy<TexelStore>? store, Intensity[,]? colorMap)
+    /// <summary>Creates a texture of an array of colours and one of opacities, which it keeps: <c>[x, y]</c>, y up.</summary>
+    /// <param name="colorMap">Linear colours, not multiplied by alpha; 1 to 1048576 columns and rows.</param>
+    /// <param name="alphaMap">Alpha of each texel, [0, 1]: 0 is not there, 1 is opaque. As large as <paramref name="colorMap"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A side is outside its range.</exception>
+    /// <exception cref="ArgumentException">The arrays differ in size.</exception>
+    public Texture(Intensity[,] colorMap, float[,] alphaMap)
+        : this(colorMap)
+    {
+        ArgumentNullException.ThrowIfNull(alphaMap);
+        if (alphaMap.GetLength(0) != colorMap.GetLength(0) || alphaMap.GetLength(1) != colorMap.GetLength(1))
+        {
+            throw new ArgumentException(
+                $"The alpha map has {alphaMap.GetLength(0)} x {alphaMap.GetLength(1)} texels; it must have {colorMap.GetLength(0)} x {colorMap.GetLength(1)} as the colour map.",
+                nameof(alphaMap));
+        }
+
+        _alphaMap = alphaMap;
+    }
+
+    private Texture(Lazy<TexelStore>? store, Intensity[,]? colorMap, float[,]? alphaMap)
     {
         _store = store;
         _colorMap = colorMap;
+        _alphaMap = alphaMap;
     }
 
     /// <summary>Number of columns.</summary>
@@ -77,7 +98,7 @@ public sealed class Texture : IPreparedTexture
             throw new FileNotFoundException($"There is no picture file '{path}'.", path);
         }
 
-        return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits))), null) { Path = path };
+        return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits))), null, null) { Path = path };
     }
 
     /// <summary>A texture of a picture. Row 0 of a picture is its top, row 0 of <see cref="ColorMap"/> the bottom: this is the only place that turns them over.</summary>
@@ -103,11 +124,21 @@ public sealed class Texture : IPreparedTexture
     public Texture With(SamplingOptions sampling)
     {
         ArgumentNullException.ThrowIfNull(sampling);
-        return new Texture(_store, _colorMap) { Sampling = sampling, Path = Path };
+        return new Texture(_store, _colorMap, _alphaMap) { Sampling = sampling, Path = Path };
     }
 
+    /// <summary>Tells whether parts of the texture are not there: the file or the array has alpha, or a wrap has a border.</summary>
+    /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
+    public bool HasAlpha =>
+        Sampling.WrapU == TextureWrap.Border || Sampling.WrapV == TextureWrap.Border || _alphaMap is not null || (_store is not null && _store.Value.Pixels.HasAlpha);
+
     /// <inheritdoc/>
-    public Intensity Sample(in TextureLookup lookup)
+    public Intensity Sample(in TextureLookup lookup) => Sample(lookup, TextureUse.Color);
+
+    /// <inheritdoc/>
+    public float Alpha(in TextureLookup lookup) => Sample(lookup, TextureUse.Alpha).R;
+
+    private Intensity Sample(in TextureLookup lookup, TextureUse use)
     {
         TexelAxis across = new(Width, Sampling.WrapU ?? lookup.WrapU, Sampling.Texels);
         TexelAxis up = new(Height, Sampling.WrapV ?? lookup.WrapV, Sampling.Texels);
@@ -115,7 +146,7 @@ public sealed class Texture : IPreparedTexture
         if (Sampling.Filter == TextureFilter.Nearest)
         {
             Double1 off = across.Nearest<Double1, Float1, Int1>(u, out Int1 x) | up.Nearest<Double1, Float1, Int1>(v, out Int1 y);
-            return Double1.Any(off) ? Intensity.Black : Texel(x.Value, y.Value);
+            return Double1.Any(off) ? Intensity.Black : Texel(x.Value, y.Value, use);
         }
 
         if (Sampling.Filter is TextureFilter.CatmullRom or TextureFilter.BSpline)
@@ -124,13 +155,13 @@ public sealed class Texture : IPreparedTexture
         }
 
         Double1 outside = across.Between<Double1, Float1, Int1>(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between<Double1, Float1, Int1>(v, out Int1 y0, out Int1 y1, out Float1 above);
-        Intensity below = Between(Texel(x0.Value, y0.Value), Texel(x1.Value, y0.Value), right.Value);
-        Intensity top = Between(Texel(x0.Value, y1.Value), Texel(x1.Value, y1.Value), right.Value);
+        Intensity below = Between(Texel(x0.Value, y0.Value, use), Texel(x1.Value, y0.Value, use), right.Value);
+        Intensity top = Between(Texel(x0.Value, y1.Value, use), Texel(x1.Value, y1.Value, use), right.Value);
         return Double1.Any(outside) ? Intensity.Black : Between(below, top, above.Value);
     }
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) =>
-        PictureSamplers.Create(IsAsLoaded() ? _store!.Value : Pack(_colorMap!), isData, Sampling, filter ?? Sampling.Filter);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
+        PictureSamplers.Create(IsAsLoaded() ? _store!.Value : Pack(_colorMap!), use, Sampling, filter ?? Sampling.Filter);
 
     /// <summary>
     /// Tells whether the file's texels are the truth: nobody read the array, or nobody changed it since. So a mere look at <see cref="ColorMap"/>
@@ -161,9 +192,11 @@ public sealed class Texture : IPreparedTexture
     /// <summary>Linear light of every code of a store in this texture's colour space.</summary>
     private ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData) => PictureSamplers.DecodeTable(store, isData, Sampling.ColorSpace);
 
-    private Intensity Texel(int x, int y) => _colorMap is not null
-        ? _colorMap[x, y]
-        : _store!.Value.Color(DecodeTable(_store.Value, isData: false), x, y);
+    private Intensity Texel(int x, int y, TextureUse use) => use == TextureUse.Alpha
+        ? Intensity.Grey(AlphaAt(x, y))
+        : _colorMap?[x, y] ?? _store!.Value.Color(DecodeTable(_store.Value, isData: false), x, y);
+
+    private float AlphaAt(int x, int y) => _alphaMap is not null ? _alphaMap[x, y] : _store?.Value.Alpha(x, y) ?? 1;
 
     /// <summary>The mean of 4 x 4 texels; in colour slots.</summary>
     private Intensity Bicubic(in TexelAxis across, in TexelAxis up, Double1 u, Double1 v)
@@ -195,7 +228,7 @@ public sealed class Texture : IPreparedTexture
     }
 
     /// <summary>The array as packed floats, row 0 on top.</summary>
-    private static TexelStore Pack(Intensity[,] colorMap)
+    private TexelStore Pack(Intensity[,] colorMap)
     {
         int width = colorMap.GetLength(0), height = colorMap.GetLength(1);
         float[] samples = new float[4 * width * height];
@@ -205,7 +238,7 @@ public sealed class Texture : IPreparedTexture
             {
                 Intensity color = colorMap[x, y];
                 int at = 4 * (((height - 1 - y) * width) + x);
-                (samples[at], samples[at + 1], samples[at + 2], samples[at + 3]) = (color.R, color.G, color.B, 1);
+                (samples[at], samples[at + 1], samples[at + 2], samples[at + 3]) = (color.R, color.G, color.B, AlphaAt(x, y));
             }
         }
 

@@ -4,21 +4,21 @@ namespace LabRaytracer;
 /// <param name="filter">Filter that overrides the textures' own, or null.</param>
 internal sealed class TexturePreparation(TextureFilter? filter)
 {
-    private readonly Dictionary<(ITexture Texture, bool IsData), TextureSampler> _samplers = [];
+    private readonly Dictionary<(ITexture Texture, TextureUse Use), TextureSampler> _samplers = [];
 
     /// <summary>Number of textures made ready.</summary>
     public int Count => _samplers.Count;
 
     /// <summary>Decodes files and packs texels of several textures at once, so that later calls find them.</summary>
-    /// <param name="uses">Textures and whether they are data.</param>
+    /// <param name="uses">Textures and what is read of them.</param>
     /// <param name="threads">Threads, at least 1.</param>
-    public void PrepareAll(IEnumerable<(ITexture Texture, bool IsData)> uses, int threads)
+    public void PrepareAll(IEnumerable<(ITexture Texture, TextureUse Use)> uses, int threads)
     {
-        (ITexture Texture, bool IsData)[] open = [.. uses.Distinct().Where(use => use.Texture.Needs != TextureNeeds.None && !_samplers.ContainsKey(use))];
+        (ITexture Texture, TextureUse Use)[] open = [.. uses.Distinct().Where(use => use.Texture.Needs != TextureNeeds.None && !_samplers.ContainsKey(use))];
         TextureSampler[] ready = new TextureSampler[open.Length];
         try
         {
-            Parallel.For(0, open.Length, new ParallelOptions { MaxDegreeOfParallelism = threads }, i => ready[i] = Create(open[i].Texture, open[i].IsData));
+            Parallel.For(0, open.Length, new ParallelOptions { MaxDegreeOfParallelism = threads }, i => ready[i] = Create(open[i].Texture, open[i].Use));
         }
         catch (AggregateException failure)
         {
@@ -33,17 +33,17 @@ internal sealed class TexturePreparation(TextureFilter? filter)
     }
 
     /// <summary>The texture made ready.</summary>
-    public TextureSampler Prepare(ITexture texture, bool isData)
+    public TextureSampler Prepare(ITexture texture, TextureUse use)
     {
-        if (!_samplers.TryGetValue((texture, isData), out TextureSampler? sampler))
+        if (!_samplers.TryGetValue((texture, use), out TextureSampler? sampler))
         {
-            sampler = Create(texture, isData);
-            _samplers[(texture, isData)] = sampler;
+            sampler = Create(texture, use);
+            _samplers[(texture, use)] = sampler;
         }
 
         return sampler;
     }
 
-    private TextureSampler Create(ITexture texture, bool isData) =>
-        texture is IPreparedTexture prepared ? prepared.Prepare(isData, filter) : new CustomSampler(texture);
+    private TextureSampler Create(ITexture texture, TextureUse use) =>
+        texture is IPreparedTexture prepared ? prepared.Prepare(use, filter) : new CustomSampler(texture, use);
 }

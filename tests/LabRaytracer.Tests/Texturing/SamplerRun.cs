@@ -40,7 +40,7 @@ internal static unsafe class SamplerRun
     /// <summary>Fails unless the batch door gives the bits of <see cref="ITexture.Sample"/> at every width.</summary>
     public static void SameAsScalar(ITexture texture, TextureWrap wrapU, TextureWrap wrapV)
     {
-        TextureSampler sampler = ((IPreparedTexture)texture).Prepare(isData: false, filter: null);
+        TextureSampler sampler = ((IPreparedTexture)texture).Prepare(TextureUse.Color, filter: null);
         TextureLookup[] lookups = Lookups(wrapU, wrapV);
         Intensity[] expected = [.. lookups.Select(lookup => texture.Sample(lookup))];
         Same(expected, Sample<Double1, Float1, Int1>(sampler, lookups), lookups);

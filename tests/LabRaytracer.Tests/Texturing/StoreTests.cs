@@ -48,11 +48,11 @@ public sealed class StoreTests
     {
         Texture texture = FromCodes((byte)code);
         TextureLookup[] lookups = [TextureLookup.At(0.5, 0.5)];
-        float Number() => SamplerRun.Sample<Double8, Float8, Int8>(((IPreparedTexture)texture).Prepare(isData: true, filter: null), lookups)[0].R;
+        float Number() => SamplerRun.Sample<Double8, Float8, Int8>(((IPreparedTexture)texture).Prepare(TextureUse.Data, filter: null), lookups)[0].R;
         Assert.Equal((float)(code / 255.0), Number());
         Assert.NotEmpty(texture.ColorMap);
         Assert.Equal((float)(code / 255.0), Number());
-        TextureSampler asColor = ((IPreparedTexture)texture.With(new SamplingOptions { ColorSpace = ColorSpace.Srgb })).Prepare(isData: true, filter: null);
+        TextureSampler asColor = ((IPreparedTexture)texture.With(new SamplingOptions { ColorSpace = ColorSpace.Srgb })).Prepare(TextureUse.Data, filter: null);
         Assert.Equal(texture.Sample(lookups[0]), SamplerRun.Sample<Double8, Float8, Int8>(asColor, lookups)[0]);
     }
 

@@ -1,0 +1,127 @@
+namespace LabRaytracer;
+
+/// <summary>The textures and mappings that some slots read: each once, in the order in which they are computed.</summary>
+/// <param name="defaultMapping">Mapping of slots that do not name one.</param>
+/// <param name="textures">Makes textures ready.</param>
+internal sealed class LookupList(IMapping defaultMapping, TexturePreparation textures)
+{
+    private readonly List<(ITexture Texture, TextureUse Use, int Coordinates)> _keys = [];
+    private readonly List<CompiledLookup> _lookups = [];
+    private readonly List<CompiledCoordinates> _coordinates = [];
+
+    /// <summary>Distinct textures.</summary>
+    public IReadOnlyList<CompiledLookup> Lookups => _lookups;
+
+    /// <summary>Distinct mappings.</summary>
+    public IReadOnlyList<CompiledCoordinates> Coordinates => _coordinates;
+
+    /// <summary>Columns of surface points that mappings and 3D textures read.</summary>
+    public SurfaceNeeds Needs
+    {
+        get
+        {
+            SurfaceNeeds needs = SurfaceNeeds.None;
+            foreach (CompiledLookup lookup in _lookups)
+            {
+                needs |= (lookup.Needs & TextureNeeds.LocalPoint) != 0 ? SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal : 0;
+            }
+
+            foreach (CompiledCoordinates set in _coordinates)
+            {
+                needs |= set.Mapping switch
+                {
+                    MeshMapping => SurfaceNeeds.SurfaceCoordinates,
+                    IWideMapping wide => SurfaceNeeds.LocalPoint | (wide.NeedsNormal ? SurfaceNeeds.LocalNormal : 0),
+                    _ => SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates,
+                };
+            }
+
+            return needs;
+        }
+    }
+
+    /// <summary>Reduces a colour slot.</summary>
+    /// <param name="slot">The slot.</param>
+    /// <param name="cutOut">Texture whose alpha cuts the surface out, or null: its colours are weighted by alpha in filters.</param>
+    public CompiledSlot Compile(TextureSlot slot, ITexture? cutOut)
+    {
+        if (slot.Texture is not { } texture || !slot.IsTextured)
+        {
+            return new CompiledSlot(slot.Value, -1, slot.Blend, 1);
+        }
+
+        if (texture.Needs == TextureNeeds.None)
+        {
+            return new CompiledSlot(slot.Apply(texture.Sample(default)), -1, slot.Blend, 1);
+        }
+
+        int lookup = texture == cutOut && texture.HasAlpha
+            ? AddWeighted(texture, slot.Mapping, slot.Transform)
+            : Add(texture, slot.Mapping, slot.Transform, TextureUse.Color);
+        return new CompiledSlot(slot.Value, lookup, slot.Blend, slot.Amount);
+    }
+
+    /// <summary>Reduces a number slot.</summary>
+    public CompiledScalar Compile(ScalarSlot slot)
+    {
+        if (slot.Texture is not { } texture || slot.Amount == 0)
+        {
+            return new CompiledScalar(slot, slot.Value, -1);
+        }
+
+        bool readsAlpha = slot.Channel == TextureChannel.Alpha;
+        if (readsAlpha && !texture.HasAlpha)
+        {
+            return new CompiledScalar(slot, slot.Apply(Intensity.White), -1);
+        }
+
+        return texture.Needs == TextureNeeds.None
+            ? new CompiledScalar(slot, slot.Apply(readsAlpha ? Intensity.Grey(texture.Alpha(default)) : texture.Sample(default)), -1)
+            : new CompiledScalar(slot, slot.Value, Add(texture, slot.Mapping, slot.Transform, readsAlpha ? TextureUse.Alpha : TextureUse.Data));
+    }
+
+    /// <summary>Adds a lookup, or finds it.</summary>
+    /// <returns>Its number.</returns>
+    public int Add(ITexture texture, IMapping? mapping, UvTransform transform, TextureUse use)
+    {
+        (ITexture, TextureUse, int) key = (texture, use, AddCoordinates(texture, mapping, transform));
+        int known = _keys.IndexOf(key);
+        return known >= 0 ? known : Append(key, new CompiledLookup(textures.Prepare(texture, use), texture.Needs, key.Item3));
+    }
+
+    /// <summary>Adds the colour of a texture with alpha, weighted by alpha: filtered colour times alpha over filtered alpha.</summary>
+    private int AddWeighted(ITexture texture, IMapping? mapping, UvTransform transform)
+    {
+        int alpha = Add(texture, mapping, transform, TextureUse.Alpha);
+        (ITexture, TextureUse, int) key = (texture, TextureUse.Color, _lookups[alpha].Coordinates);
+        int known = _keys.IndexOf(key);
+        return known >= 0
+            ? known
+            : Append(key, new CompiledLookup(textures.Prepare(texture, TextureUse.Premultiplied), texture.Needs, key.Item3) { Alpha = alpha });
+    }
+
+    private int Append((ITexture Texture, TextureUse Use, int Coordinates) key, CompiledLookup lookup)
+    {
+        _keys.Add(key);
+        _lookups.Add(lookup);
+        return _lookups.Count - 1;
+    }
+
+    private int AddCoordinates(ITexture texture, IMapping? mapping, UvTransform transform)
+    {
+        if ((texture.Needs & TextureNeeds.Coordinate) == 0)
+        {
+            return -1;
+        }
+
+        CompiledCoordinates set = new(mapping ?? defaultMapping, transform);
+        int index = _coordinates.IndexOf(set);
+        if (index < 0)
+        {
+            _coordinates.Add(set);
+            index = _coordinates.Count - 1;
+        }
+
+        return index;
+    }
+}
