@@ -27,11 +27,13 @@ internal sealed class MtlDraft(string name, int offset)
 
     /// <summary>The material.</summary>
     /// <remarks>
-    /// illum 0 shows the diffuse colour without light, 1 has no highlight, 3 to 7 mirror with Ks, 5 and 7 by the angle; transparency is (1 - d) Tf.
+    /// illum 0 shows the diffuse colour without light, 1 has no highlight, 3 to 7 mirror with Ks, 5 and 7 by the angle; with 4, 6, 7 and 9, which are glass, the
+    /// transparency is (1 - d) Tf, otherwise d and map_d are the opacity. map_d reads luminance, but alpha where it is the picture of map_Kd.
     /// </remarks>
     public Material Build()
     {
         TextureSlot diffuse = Slot("Kd", Intensity.White);
+        bool isGlass = Illumination is 4 or 6 or 7 or 9;
         bool mirrors = Illumination is >= 3 and <= 7;
         return new Material
         {
@@ -41,7 +43,8 @@ internal sealed class MtlDraft(string name, int offset)
             Specular = Illumination is 0 or 1 ? Intensity.Black : Slot("Ks", Intensity.Black),
             Shininess = Number("map_Ns", Shininess),
             Reflection = mirrors ? Slot("Ks", Intensity.Black) : Intensity.Black,
-            Transparency = Colors.GetValueOrDefault("Tf", Intensity.White) * (float)(1 - Opacity),
+            Transparency = isGlass ? Colors.GetValueOrDefault("Tf", Intensity.White) * (float)(1 - Opacity) : Intensity.Black,
+            Opacity = Number("map_d", isGlass ? 1 : Opacity),
             IndexOfRefraction = IndexOfRefraction,
             Fresnel = Illumination is 5 or 7 ? FresnelModel.Dielectric : FresnelModel.None,
             Emission = Illumination == 0 ? diffuse : Slot("Ke", Intensity.Black),
@@ -54,12 +57,15 @@ internal sealed class MtlDraft(string name, int offset)
         : Colors.GetValueOrDefault(word, standard);
 
     private ScalarSlot Number(string word, double value) => Maps.TryGetValue(word, out MtlMap? map)
-        ? new ScalarSlot { Value = (float)value, Texture = map.Texture, Transform = map.Transform, Channel = map.Channel }
+        ? new ScalarSlot { Value = (float)value, Texture = map.Texture, Transform = map.Transform, Channel = map.Channel ?? StandardChannel(word, map) }
         : value;
+
+    private TextureChannel StandardChannel(string word, MtlMap map) =>
+        word == "map_d" && Maps.TryGetValue("map_Kd", out MtlMap? diffuse) && diffuse.Texture.Path == map.Texture.Path ? TextureChannel.Alpha : TextureChannel.Luminance;
 }
 
 /// <summary>A picture of an MTL file.</summary>
 /// <param name="Texture">The picture.</param>
 /// <param name="Transform">Options -s and -o.</param>
-/// <param name="Channel">Option -imfchan.</param>
-internal sealed record MtlMap(ITexture Texture, UvTransform Transform, TextureChannel Channel);
+/// <param name="Channel">Option -imfchan; null where it is not there.</param>
+internal sealed record MtlMap(Texture Texture, UvTransform Transform, TextureChannel? Channel);

@@ -15,8 +15,8 @@ internal sealed class MtlMapOptions
     /// <summary>Options -s, then -o.</summary>
     public UvTransform Transform => new(new TextureCoordinate(_offset[0], _offset[1]), 0, new TextureCoordinate(_scale[0], _scale[1]), new TextureCoordinate(0, 0));
 
-    /// <summary>Option -imfchan.</summary>
-    public TextureChannel Channel { get; private set; }
+    /// <summary>Option -imfchan; null where it is not there.</summary>
+    public TextureChannel? Channel { get; private set; }
 
     /// <summary>Option -clamp; without it a picture repeats.</summary>
     public SamplingOptions Sampling
@@ -81,6 +81,7 @@ internal sealed class MtlMapOptions
             "r" => TextureChannel.Red,
             "g" => TextureChannel.Green,
             "b" => TextureChannel.Blue,
+            "m" => TextureChannel.Alpha,
             _ => TextureChannel.Luminance,
         };
         return word is "r" or "g" or "b" or "l" or "m" or "z";

@@ -10,12 +10,12 @@ namespace LabRaytracer;
 /// <param name="places">Where the places of materials and textures are noted.</param>
 internal sealed class MtlReader(SceneSource source, string from, SceneFolder folder, SceneSourceMap places)
 {
-    private const string Words = "newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns";
+    private const string Words = "newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns, map_d";
 
     // What materials here have no coefficient for.
     private static readonly HashSet<string> s_ignored = new(StringComparer.Ordinal)
     {
-        "map_d", "map_bump", "map_Bump", "bump", "disp", "decal", "refl", "norm", "map_Tr", "map_Pr", "map_Pm", "map_Ps", "map_refl", "map_opacity", "map_aat", "map_Disp",
+        "map_bump", "map_Bump", "bump", "disp", "decal", "refl", "norm", "map_Tr", "map_Pr", "map_Pm", "map_Ps", "map_refl", "map_opacity", "map_aat", "map_Disp",
         "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness", "Km", "map_Ni", "map_Tf", "map_norm", "map_Norm", "map_RMA", "map_ORM",
     };
 
@@ -94,7 +94,7 @@ internal sealed class MtlReader(SceneSource source, string from, SceneFolder fol
             case "illum":
                 draft.Illumination = (int)ReadNumber(ref line, 0, 10);
                 break;
-            case "map_Kd" or "map_Ks" or "map_Ka" or "map_Ke" or "map_Ns":
+            case "map_Kd" or "map_Ks" or "map_Ka" or "map_Ke" or "map_Ns" or "map_d":
                 ReadMap(word, ref line, draft);
                 break;
             default:

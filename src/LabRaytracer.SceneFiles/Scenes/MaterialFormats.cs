@@ -30,10 +30,28 @@ internal static class MaterialFormats
 
     private static readonly Key<TextureSlot> s_emission = Key.Optional("emission", SlotFormats.Color, s_default.Emission, "Light that the surface gives off by itself.");
 
+    private static readonly Key<ScalarSlot> s_opacity = Key.Optional(
+        "opacity",
+        SlotFormats.Number("opacitySlot", NumberFormat.Share, s_default.Opacity.Value),
+        s_default.Opacity,
+        "How much of the surface is there, 0 to 1: rays and light pass straight through the rest. For the alpha of a picture: { \"texture\": ..., \"channel\": \"alpha\" }.");
+
+    private static readonly Key<ScalarSlot> s_occlusion = Key.Optional(
+        "occlusion",
+        SlotFormats.Number("occlusionSlot", NumberFormat.Share, s_default.Occlusion.Value),
+        s_default.Occlusion,
+        "Factor of the ambient light that arrives; amount s weakens a texture o to 1 + s (o - 1).");
+
+    private static readonly Key<TextureSlot> s_lightMap = Key.Optional(
+        "lightMap", SlotFormats.Color, s_default.LightMap, "Light that was computed beforehand, before it is multiplied by diffuse.");
+
+    private static readonly Key<LightMapMode> s_lightMapMode = Key.Optional(
+        "lightMapMode", ChoiceFormat.Of<LightMapMode>(), LightMapMode.Add, "Whether the light map adds to the lamps' light or replaces it.");
+
     private static readonly ObjectFormat<Material> s_inline = new(
         "material",
         "How a surface looks: coefficients of the lighting model, each a value or a texture.",
-        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission],
+        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission, s_opacity, s_occlusion, s_lightMap, s_lightMapMode],
         Build);
 
     /// <summary>Named materials.</summary>
@@ -58,5 +76,9 @@ internal static class MaterialFormats
         IndexOfRefraction = fields.Get(s_indexOfRefraction),
         Fresnel = fields.Get(s_fresnel),
         Emission = fields.Get(s_emission),
+        Opacity = fields.Get(s_opacity),
+        Occlusion = fields.Get(s_occlusion),
+        LightMap = fields.Get(s_lightMap),
+        LightMapMode = fields.Get(s_lightMapMode),
     };
 }

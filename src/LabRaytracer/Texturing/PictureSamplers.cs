@@ -20,7 +20,8 @@ internal static unsafe class PictureSamplers
                 return Premultiplied(store, options, filter);
         }
 
-        TransferFunction transfer = Transfer(store, use == TextureUse.Data, options.ColorSpace);
+        bool isData = use == TextureUse.Data;
+        TransferFunction transfer = Transfer(store, isData, options.ColorSpace);
         return store.Pixels.Format switch
         {
             PixelFormat.Rgba8 when transfer.IsLinear =>
@@ -38,9 +39,9 @@ internal static unsafe class PictureSamplers
 
     private static TextureSampler Alpha(TexelStore store, SamplingOptions options, TextureFilter filter) => store.Pixels.Format switch
     {
-        PixelFormat.Rgba8 => new PictureSampler<Alpha8Reader>(store, null, new Alpha8Reader((int*)store.Samples), options, filter),
-        PixelFormat.Rgba16 => new PictureSampler<Alpha16Reader>(store, null, new Alpha16Reader((int*)store.Samples), options, filter),
-        _ => new PictureSampler<AlphaFloatReader>(store, null, new AlphaFloatReader((float*)store.Samples), options, filter),
+        PixelFormat.Rgba8 => Sampler(store, null, new Alpha8Reader((int*)store.Samples), isData: false, options, filter),
+        PixelFormat.Rgba16 => Sampler(store, null, new Alpha16Reader((int*)store.Samples), isData: false, options, filter),
+        _ => Sampler(store, null, new AlphaFloatReader((float*)store.Samples), isData: false, options, filter),
     };
 
     private static TextureSampler Premultiplied(TexelStore store, SamplingOptions options, TextureFilter filter)
@@ -52,16 +53,23 @@ internal static unsafe class PictureSamplers
                 store,
                 transfer,
                 (texels, table) => new PremultipliedReader<Table8Reader, Alpha8Reader>(new((int*)texels, (float*)table), new((int*)texels)),
+                isData: false,
                 options,
                 filter),
             PixelFormat.Rgba16 => WithTable(
                 store,
                 transfer,
                 (texels, table) => new PremultipliedReader<Table16Reader, Alpha16Reader>(new((int*)texels, (float*)table), new((int*)texels)),
+                isData: false,
                 options,
                 filter),
-            _ => new PictureSampler<PremultipliedReader<FloatReader, AlphaFloatReader>>(
-                store, null, new(new((float*)store.Samples), new((float*)store.Samples)), options, filter),
+            _ => Sampler(
+                store,
+                null,
+                new PremultipliedReader<FloatReader, AlphaFloatReader>(new((float*)store.Samples), new((float*)store.Samples)),
+                isData: false,
+                options,
+                filter),
         };
     }
 

@@ -151,7 +151,7 @@ public sealed class Texture : IPreparedTexture
 
         if (Sampling.Filter is TextureFilter.CatmullRom or TextureFilter.BSpline)
         {
-            return Bicubic(across, up, u, v);
+            return Bicubic(across, up, u, v, use);
         }
 
         Double1 outside = across.Between<Double1, Float1, Int1>(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between<Double1, Float1, Int1>(v, out Int1 y0, out Int1 y1, out Float1 above);
@@ -199,10 +199,10 @@ public sealed class Texture : IPreparedTexture
     private float AlphaAt(int x, int y) => _alphaMap is not null ? _alphaMap[x, y] : _store?.Value.Alpha(x, y) ?? 1;
 
     /// <summary>The mean of 4 x 4 texels; in colour slots.</summary>
-    private Intensity Bicubic(in TexelAxis across, in TexelAxis up, Double1 u, Double1 v)
+    private Intensity Bicubic(in TexelAxis across, in TexelAxis up, Double1 u, Double1 v, TextureUse use)
     {
         Double1 outside = across.Around(u, Sampling.Filter, out CubicTaps<Float1, Int1> columns) | up.Around(v, Sampling.Filter, out CubicTaps<Float1, Int1> rows);
-        ScalarTexelReader reader = new(Texel, Width, Height);
+        ScalarTexelReader reader = new((x, y) => Texel(x, y, use), Width, Height);
         BicubicKernel<ScalarTexelReader> kernel = new(reader, reader.Start, Width, BicubicKernel<ScalarTexelReader>.Bounds(Sampling.Filter, isData: false));
         kernel.Mean(columns, rows, out CubicColor<Float1> mean);
         return Double1.Any(outside) ? Intensity.Black : new Intensity(mean.R.Value, mean.G.Value, mean.B.Value);

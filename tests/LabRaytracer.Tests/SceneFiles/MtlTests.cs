@@ -45,11 +45,34 @@ public sealed class MtlTests
     [Fact]
     public void Load_Maps_AreTaken()
     {
-        Material material = Load("newmtl m\nKd 0.5 0.5 0.5\nmap_Kd -mm 0 1 -bm 0.5 -blendu on p.ppm\nmap_Ks p.ppm\nmap_Ka p.ppm\nmap_Ke p.ppm\nNs 20\nmap_Ns -imfchan g p.ppm\nmap_d no.png\n");
+        Material material = Load("newmtl m\nKd 0.5 0.5 0.5\nmap_Kd -mm 0 1 -bm 0.5 -blendu on p.ppm\nmap_Ks p.ppm\nmap_Ka p.ppm\nmap_Ke p.ppm\nNs 20\nmap_Ns -imfchan g p.ppm\nmap_refl no.png\n");
         Assert.Equal(Intensity.Grey(0.5f), material.Diffuse.Value);
         Assert.All([material.Diffuse, material.Specular, material.Ambient!, material.Emission], slot => Assert.IsType<Texture>(slot.Texture));
         Assert.Equal((20f, TextureChannel.Green), (material.Shininess.Value, material.Shininess.Channel));
         Assert.Equal(TextureWrap.Repeat, ((Texture)material.Diffuse.Texture!).Sampling.WrapU);
+    }
+
+    [Theory]
+    [InlineData("d 0.75", 0.75f, 0f)]
+    [InlineData("Tr 0.75\nillum 2", 0.25f, 0f)]
+    [InlineData("d 0.75\nillum 4", 1f, 0.25f)]
+    [InlineData("d 0.75\nillum 9", 1f, 0.25f)]
+    public void Load_Dissolve_IsOpacityUnlessTheModelIsGlass(string lines, float opacity, float transparency)
+    {
+        Material material = Load("newmtl m\n" + lines + "\n");
+        Assert.Equal((opacity, transparency), (material.Opacity.Value, material.Transparency.Value.G));
+    }
+
+    [Theory]
+    [InlineData("map_d p.ppm", TextureChannel.Luminance)]
+    [InlineData("map_d -imfchan m p.ppm", TextureChannel.Alpha)]
+    [InlineData("map_Kd p.ppm\nmap_d p.ppm", TextureChannel.Alpha)]
+    [InlineData("map_d -imfchan l p.ppm\nmap_Kd p.ppm", TextureChannel.Luminance)]
+    public void Load_DissolveMap_IsTheOpacitysTexture(string lines, TextureChannel channel)
+    {
+        ScalarSlot opacity = Load("newmtl m\nd 0.5\n" + lines + "\n").Opacity;
+        Assert.IsType<Texture>(opacity.Texture);
+        Assert.Equal((0.5f, channel), (opacity.Value, opacity.Channel));
     }
 
     [Theory]
@@ -59,7 +82,7 @@ public sealed class MtlTests
     [InlineData("newmtl m\nmap_Kd q.ppm", "2:8: the file 'q.ppm' does not exist, did you mean 'p.ppm'; allowed: the path of a picture, relative to the folder of this file")]
     [InlineData("newmtl m\nmap_Kd -clmp on p.ppm", "2:8: '-clmp' does not fit; allowed: " + "-s u v w, -o u v w, -clamp on|off, -imfchan r|g|b|l|m|z, -blendu, -blendv, -cc on|off, -bm, -boost, -texres number, -mm base gain, -t u v w")]
     [InlineData("newmtl m\nmap_Kd C:\\p.ppm", "2:8: the file 'C:/p.ppm' has an absolute path; allowed: the path of a picture, relative to the folder of this file")]
-    [InlineData("newmtl m\nmap_Kq p.ppm", "2:1: unknown word 'map_Kq', did you mean 'map_Kd'; allowed: newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns")]
+    [InlineData("newmtl m\nmap_Kq p.ppm", "2:1: unknown word 'map_Kq', did you mean 'map_Kd'; allowed: newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns, map_d")]
     public void Load_Mistake_IsOneLine(string mtl, string expected)
     {
         SceneFileError error = Assert.Throws<SceneFileException>(() => Load(mtl)).Errors.Single();

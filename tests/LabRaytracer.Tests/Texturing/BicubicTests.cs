@@ -135,7 +135,7 @@ public sealed class BicubicTests
         (colors[2, 0], colors[3, 0]) = (Intensity.White, Intensity.White);
         Texture texture = new Texture(colors).With(new SamplingOptions { Filter = TextureFilter.CatmullRom, WrapU = TextureWrap.Clamp });
         TextureLookup[] lookups = [TextureLookup.At(1 / 4.0, 0.5), TextureLookup.At(3 / 4.0, 0.5)];
-        Intensity[] Sample(bool isData) => SamplerRun.Sample<Double4, Float4, Int4>(((IPreparedTexture)texture).Prepare(isData, null), lookups);
+        Intensity[] Sample(bool isData) => SamplerRun.Sample<Double4, Float4, Int4>(((IPreparedTexture)texture).Prepare(isData ? TextureUse.Data : TextureUse.Color, null), lookups);
         Assert.Equal([Intensity.Grey(-0.0625f), Intensity.Grey(1.0625f)], Sample(isData: true));
         Assert.Equal([Intensity.Black, Intensity.White], Sample(isData: false));
     }
