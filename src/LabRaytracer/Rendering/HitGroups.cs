@@ -9,6 +9,7 @@ internal sealed unsafe class HitGroups<R, F, I>
     private readonly CompiledScene<R, F, I> _scene;
     private readonly int _keys;
     private readonly int* _keyOfRay;
+    private readonly int* _keyOfPacket;
     private readonly int* _end;
 
     public HitGroups(CompiledScene<R, F, I> scene, LaneMemory memory, int capacity)
@@ -16,6 +17,7 @@ internal sealed unsafe class HitGroups<R, F, I>
         _scene = scene;
         _keys = scene.Keys.Count + 2;
         _keyOfRay = memory.Column<int>(capacity, 1);
+        _keyOfPacket = memory.Column<int>(capacity / R.Width, 1);
         _end = memory.Column<int>(_keys, 1);
         Start = memory.Column<int>(_keys, 1);
         Count = memory.Column<int>(_keys, 1);
@@ -38,13 +40,9 @@ internal sealed unsafe class HitGroups<R, F, I>
     public void Sort(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits)
     {
         new Span<int>(Count, _keys).Clear();
-        int* objects = (int*)hits.Object;
-        for (int ray = 0; ray < rays.Count; ray++)
+        for (int packet = 0; packet < rays.Packets; packet++)
         {
-            int number = objects[ray];
-            int key = number != HitBatch<R, F, I>.Miss ? _scene.KeyOf(number) : R.Take(rays.Limit, ray) < 0 ? _keys - 1 : MissKey;
-            _keyOfRay[ray] = key;
-            Count[key]++;
+            CountPacket(rays, hits, packet);
         }
 
         int start = 0;
@@ -54,12 +52,52 @@ internal sealed unsafe class HitGroups<R, F, I>
             start += (Count[key] + R.Width - 1) / R.Width * R.Width;
         }
 
-        for (int ray = 0; ray < rays.Count; ray++)
+        for (int packet = 0; packet < rays.Packets; packet++)
         {
-            Order[_end[_keyOfRay[ray]]++] = ray;
+            PlacePacket(packet, rays.Count);
         }
 
         PadTails();
+    }
+
+    /// <summary>Finds the keys of one group of lanes: at once where all of them see the same object.</summary>
+    private void CountPacket(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int packet)
+    {
+        int* objects = (int*)(hits.Object + packet);
+        int first = packet * R.Width, number = objects[0];
+        bool isSame = rays.Count - first >= R.Width && I.AllEqual(hits.Object[packet], number);
+        if (isSame && (number != HitBatch<R, F, I>.Miss || R.All(R.LessOrEqual(R.Zero, rays.Limit[packet]))))
+        {
+            int key = number != HitBatch<R, F, I>.Miss ? _scene.KeyOf(number) : MissKey;
+            _keyOfPacket[packet] = key;
+            Count[key] += R.Width;
+            return;
+        }
+
+        _keyOfPacket[packet] = -1;
+        for (int ray = first; ray < Math.Min(first + R.Width, rays.Count); ray++)
+        {
+            number = objects[ray - first];
+            int key = number != HitBatch<R, F, I>.Miss ? _scene.KeyOf(number) : R.Take(rays.Limit, ray) < 0 ? _keys - 1 : MissKey;
+            _keyOfRay[ray] = key;
+            Count[key]++;
+        }
+    }
+
+    private void PlacePacket(int packet, int count)
+    {
+        int first = packet * R.Width;
+        if (_keyOfPacket[packet] is >= 0 and int key)
+        {
+            I.Store(I.Iota(first), Order + _end[key]);
+            _end[key] += R.Width;
+            return;
+        }
+
+        for (int ray = first; ray < Math.Min(first + R.Width, count); ray++)
+        {
+            Order[_end[_keyOfRay[ray]]++] = ray;
+        }
     }
 
     private void PadTails()

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Colours of the pixels of a tile while its samples are summed up.</summary>
@@ -6,8 +8,8 @@ namespace LabRaytracer;
 internal sealed unsafe class TileColors<F>
     where F : unmanaged, IReal<F>
 {
-    private readonly ColorColumns<F> _sample;
-    private readonly ColorColumns<F> _sum;
+    private ColorColumns<F> _sample;
+    private ColorColumns<F> _sum;
     private readonly int _packets;
 
     public TileColors(LaneMemory memory, int pixels)
@@ -37,7 +39,13 @@ internal sealed unsafe class TileColors<F>
     public void Copy(int first, Span<Intensity> pixels)
     {
         float* red = (float*)_sum.R + first, green = (float*)_sum.G + first, blue = (float*)_sum.B + first;
-        for (int i = 0; i < pixels.Length; i++)
+        int i = 0;
+        for (; i <= pixels.Length - 4; i += 4)
+        {
+            LaneTriples.WriteFour(red + i, green + i, blue + i, ref Unsafe.As<Intensity, float>(ref pixels[i]));
+        }
+
+        for (; i < pixels.Length; i++)
         {
             pixels[i] = new Intensity(red[i], green[i], blue[i]);
         }
@@ -54,13 +62,8 @@ internal sealed unsafe class TileColors<F>
     /// <summary>Adds light to one pixel of the sample.</summary>
     public void AddToSample(int pixel, Intensity light) => _sample.Put(pixel, _sample.Take(pixel) + light);
 
-    /// <summary>Starts the sums with the sample.</summary>
-    public void StartSum()
-    {
-        Copy(_sample.R, _sum.R);
-        Copy(_sample.G, _sum.G);
-        Copy(_sample.B, _sum.B);
-    }
+    /// <summary>Starts the sums with the sample, which is given up.</summary>
+    public void StartSum() => (_sum, _sample) = (_sample, _sum);
 
     /// <summary>Adds the sample to the sums.</summary>
     public void AddToSum()

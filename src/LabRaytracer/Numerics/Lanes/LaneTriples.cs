@@ -1,0 +1,30 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace LabRaytracer;
+
+/// <summary>Three columns of floats, written as triples one after the other.</summary>
+internal static unsafe class LaneTriples
+{
+    /// <summary>Writes x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3.</summary>
+    /// <param name="x">Four numbers.</param>
+    /// <param name="y">Four numbers.</param>
+    /// <param name="z">Four numbers.</param>
+    /// <param name="to">Room for twelve numbers.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void WriteFour(float* x, float* y, float* z, ref float to)
+    {
+        Vector128<float> xs = Vector128.Load(x), ys = Vector128.Load(y), zs = Vector128.Load(z);
+        Vector128<float> second = Vector128.Create(0, -1, 0, 0).AsSingle();
+        Vector128<float> third = Vector128.Create(0, 0, -1, 0).AsSingle();
+        Vector128<float> xs0 = Vector128.Shuffle(xs, Vector128.Create(0, 0, 1, 1)), ys0 = Vector128.Shuffle(ys, Vector128.Create(1, 1, 2, 2));
+        Vector128<float> zs0 = Vector128.Shuffle(zs, Vector128.Create(0, 0, 0, 0));
+        Vector128<float> first = Vector128.Shuffle(ys, Vector128.Create(0, 0, 0, 0));
+        Vector128.ConditionalSelect(third, zs0, Vector128.ConditionalSelect(second, first, xs0)).StoreUnsafe(ref to);
+        Vector128<float> xs1 = Vector128.Shuffle(xs, Vector128.Create(2, 2, 2, 2)), zs1 = Vector128.Shuffle(zs, Vector128.Create(1, 1, 1, 1));
+        Vector128.ConditionalSelect(third, xs1, Vector128.ConditionalSelect(second, zs1, ys0)).StoreUnsafe(ref to, 4);
+        Vector128<float> zs2 = Vector128.Shuffle(zs, Vector128.Create(2, 2, 3, 3)), xs2 = Vector128.Shuffle(xs, Vector128.Create(3, 3, 3, 3));
+        Vector128<float> ys2 = Vector128.Shuffle(ys, Vector128.Create(3, 3, 3, 3));
+        Vector128.ConditionalSelect(third, ys2, Vector128.ConditionalSelect(second, xs2, zs2)).StoreUnsafe(ref to, 8);
+    }
+}
