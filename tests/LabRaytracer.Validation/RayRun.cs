@@ -87,6 +87,9 @@ internal sealed unsafe class RayRun<R, F, I> : IDisposable
     public Point3D Local(int ray) => new(
         R.Take(Surfaces.Positions.X, Element(ray)), R.Take(Surfaces.Positions.Y, Element(ray)), R.Take(Surfaces.Positions.Z, Element(ray)));
 
+    /// <summary>The shape's own texture coordinates where a ray hit it.</summary>
+    public (double U, double V) SurfaceCoordinates(int ray) => (R.Take(Surfaces.Positions.SurfaceU, Element(ray)), R.Take(Surfaces.Positions.SurfaceV, Element(ray)));
+
     /// <summary>A ray that leaves the surface where one hit it, from just outside its slack; one in three almost along the surface.</summary>
     public Ray Leaving(int ray, Draws draws)
     {

@@ -83,6 +83,7 @@ internal sealed record StressReport(StressOptions Options, IReadOnlyList<StressR
         new TexelSweep(options).Run,
         new ColorSweep(options).Run,
         new RaySweep(options).Run,
+        new TriangleSweep(options).Run,
         new MeetingSweep(options).Run,
         new EndToEndSweep(options).Run,
     ];

@@ -6,7 +6,7 @@ internal sealed class FunctionSweep(StressOptions options)
     private const int PerPart = 2_000;
 
     /// <summary>All lines of the table.</summary>
-    public IEnumerable<StressRow> Run() => Run<Double1>().Concat(Run<Float1>()).Append(Degrees());
+    public IEnumerable<StressRow> Run() => Run<Double1>().Concat(Run<Float1>()).Concat(Degrees());
 
     private List<StressRow> Run<R>()
         where R : unmanaged, IReal<R>
@@ -38,9 +38,9 @@ internal sealed class FunctionSweep(StressOptions options)
         return [sine.ToRow(), exp2.ToRow(), log2.ToRow(), pow.ToRow()];
     }
 
-    private StressRow Degrees()
+    private List<StressRow> Degrees()
     {
-        Worst worst = new("sine, cosine of degrees, double", 1.5, "ulp");
+        Worst worst = new("sine, cosine of degrees, double", 1.5, "ulp"), tangent = new("tangent of degrees, double", 3, "ulp");
         Parallel.For(0, options.Parts(500), part =>
         {
             Draws draws = Draws.Of(options.Seed, "degrees", part);
@@ -50,9 +50,13 @@ internal sealed class FunctionSweep(StressOptions options)
                 (double sine, double cosine) = Elementary.SinCosDegrees(degrees);
                 (Real exactSine, Real exactCosine) = Truth.SinCosTurns((Real)degrees / 360);
                 worst.Note(Math.Max(Truth.Ulps(sine, Clean(exactSine), false), Truth.Ulps(cosine, Clean(exactCosine), false)), $"{degrees:R} degrees");
+                double found = Elementary.TanDegrees(degrees);
+                Real cosineOrZero = Clean(exactCosine);
+                tangent.Note(
+                    cosineOrZero.Sign == 0 ? double.IsInfinity(found) ? 0 : 99 : Truth.Ulps(found, Clean(exactSine) / cosineOrZero, false), $"{degrees:R} degrees");
             }
         });
-        return worst.ToRow();
+        return [worst.ToRow(), tangent.ToRow()];
     }
 
     /// <summary>A twelfth of a turn is no binary fraction: what the oracle leaves of a zero is a zero.</summary>
