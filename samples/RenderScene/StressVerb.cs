@@ -28,12 +28,13 @@ internal sealed class StressVerb
     {
         ulong seed = parsed.GetValue(_seed) is { } text ? Seed(text) : StressOptions.DefaultSeed;
         string? readme = parsed.GetValue(_readme);
-        if (readme is not null && !ErrorTable.HasMarkers(readme))
+        bool isLong = parsed.GetValue(_long);
+        if (readme is not null && !ErrorTable.HasMarkers(readme, isLong))
         {
-            throw new InputException($"'{readme}' is no Markdown file with the lines {ErrorTable.Start} and {ErrorTable.End}; add them where the table belongs.");
+            throw new InputException($"'{readme}' is no Markdown file with the lines {ErrorTable.Start(isLong)} and {ErrorTable.End(isLong)}; add them where the table belongs.");
         }
 
-        StressReport report = StressCommand.Report(new StressOptions(seed, parsed.GetValue(_long)), parsed.GetValue(_json), console.Output, console.Error);
+        StressReport report = StressCommand.Report(new StressOptions(seed, isLong), parsed.GetValue(_json), console.Output, console.Error);
         if (readme is not null)
         {
             ErrorTable.Write(readme, report);

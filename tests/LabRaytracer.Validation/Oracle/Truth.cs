@@ -12,6 +12,12 @@ internal static class Truth
     private static readonly Real s_ln2 = 2 * InverseTangentHyperbolic((Real)1 / 3);
     private static readonly Real[] s_arctan = ArctanTable();
 
+    /// <summary>1 / (2 pi).</summary>
+    public static Real TurnsPerRadian => 1 / (2 * s_pi);
+
+    /// <summary>The arctangent of a 64th part of 1, times a whole number up to 64, radians.</summary>
+    public static Real ArctanOfSlot(int slot) => s_arctan[slot];
+
     /// <summary>Angle of (y, x) in turns, [0, 1): 0 on the half axis x >= 0, growing towards y.</summary>
     public static Real Atan2Turns(Real y, Real x)
     {

@@ -12,7 +12,7 @@ internal sealed unsafe class EndToEndSweep(StressOptions options)
     public IEnumerable<StressRow> Run()
     {
         Worst worst = new("ray to texel of a sphere: missed, NaN or wrong texel", 0, "");
-        Parallel.For(0, options.Parts(2000), part =>
+        Parallel.For(0, options.Parts(400), part =>
         {
             Draws draws = Draws.Of(options.Seed, "end to end", part);
             for (int i = 0; i < ShapesPerPart; i++)
