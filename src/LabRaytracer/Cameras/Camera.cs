@@ -14,4 +14,21 @@ public abstract class Camera
     /// <param name="height">Height of the whole picture, pixels, above 0.</param>
     /// <returns>A ray in world space; its direction has length 1.</returns>
     public abstract Ray RayAt(double x, double y, int width, int height);
+
+    /// <summary>How the ray changes over one pixel to the right and one down: what texture filters go by. Default: by differences of <see cref="RayAt"/> over 1/8 of a pixel.</summary>
+    /// <param name="x">Horizontal position, as for <see cref="RayAt"/>.</param>
+    /// <param name="y">Vertical position, as for <see cref="RayAt"/>.</param>
+    /// <param name="width">Width of the whole picture, pixels, above 0.</param>
+    /// <param name="height">Height of the whole picture, pixels, above 0.</param>
+    public virtual RayDifferential DifferentialAt(double x, double y, int width, int height)
+    {
+        const double Half = 1.0 / 16;
+        double left = Math.Max(0, x - Half), right = Math.Min(width, x + Half), above = Math.Max(0, y - Half), below = Math.Min(height, y + Half);
+        (Vector3D origin, Vector3D direction) = Slope(RayAt(left, y, width, height), RayAt(right, y, width, height), right - left);
+        (Vector3D originDown, Vector3D directionDown) = Slope(RayAt(x, above, width, height), RayAt(x, below, width, height), below - above);
+        return new RayDifferential(origin, direction, originDown, directionDown);
+    }
+
+    private static (Vector3D Origin, Vector3D Direction) Slope(in Ray first, in Ray second, double distance) =>
+        ((second.Origin - first.Origin) / distance, (second.Direction - first.Direction) / distance);
 }

@@ -12,4 +12,14 @@ internal interface IWideCamera
     /// <param name="height">Height of the whole picture, pixels.</param>
     unsafe void Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
         where R : unmanaged, IReal<R>;
+
+    /// <summary>Differentials of the rays with given directions; origins do not matter to them.</summary>
+    /// <param name="directions">Unit directions of the camera's rays.</param>
+    /// <param name="differentials">Where the differentials go, for steps of <paramref name="spacing"/>.</param>
+    /// <param name="packets">Groups of lanes.</param>
+    /// <param name="width">Width of the whole picture, pixels.</param>
+    /// <param name="height">Height of the whole picture, pixels.</param>
+    /// <param name="spacing">Distance of samples, pixels.</param>
+    void Differentials<T>(in VectorColumns<T> directions, in DifferentialColumns<T> differentials, int packets, int width, int height, double spacing)
+        where T : unmanaged, IReal<T>;
 }

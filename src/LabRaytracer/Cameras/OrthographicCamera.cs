@@ -40,6 +40,9 @@ public sealed class OrthographicCamera : Camera, IWideCamera
     /// <inheritdoc/>
     public override Ray RayAt(double x, double y, int width, int height) => ScalarCamera.RayAt(this, x, y, width, height);
 
+    /// <inheritdoc/>
+    public override RayDifferential DifferentialAt(double x, double y, int width, int height) => ScalarCamera.DifferentialAt(this, x, y, width, height);
+
     unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
     {
         R across = R.Of(width), down = R.Of(height), scale = R.Of(Height / height / 2);
@@ -53,6 +56,19 @@ public sealed class OrthographicCamera : Camera, IWideCamera
             rays.DirectionX[packet] = R.Of(_frame.Forward.X);
             rays.DirectionY[packet] = R.Of(_frame.Forward.Y);
             rays.DirectionZ[packet] = R.Of(_frame.Forward.Z);
+        }
+    }
+
+    void IWideCamera.Differentials<T>(
+        in VectorColumns<T> directions, in DifferentialColumns<T> differentials, int packets, int width, int height, double spacing)
+    {
+        Vector3D right = _frame.Right * (Height / height * spacing), down = _frame.Up * (-Height / height * spacing);
+        for (int packet = 0; packet < packets; packet++)
+        {
+            differentials.OriginDx.Store(packet, T.Of(right.X), T.Of(right.Y), T.Of(right.Z));
+            differentials.OriginDy.Store(packet, T.Of(down.X), T.Of(down.Y), T.Of(down.Z));
+            differentials.DirectionDx.Store(packet, T.Zero, T.Zero, T.Zero);
+            differentials.DirectionDy.Store(packet, T.Zero, T.Zero, T.Zero);
         }
     }
 }

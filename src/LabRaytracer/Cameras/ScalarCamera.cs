@@ -16,4 +16,15 @@ internal static unsafe class ScalarCamera
         camera.Rays(n, n + 1, rays, 1, width, height);
         return new Ray(new Point3D(n[2].Value, n[3].Value, n[4].Value), new Vector3D(n[5].Value, n[6].Value, n[7].Value));
     }
+
+    /// <summary><see cref="Camera.DifferentialAt"/> by the wide path.</summary>
+    public static RayDifferential DifferentialAt(IWideCamera camera, double x, double y, int width, int height)
+    {
+        using LaneMemory memory = new();
+        VectorColumns<Double1> direction = new(memory, 1);
+        DifferentialColumns<Double1> differential = new(memory, 1);
+        direction.Put(0, RayAt(camera, x, y, width, height).Direction);
+        camera.Differentials(direction, differential, 1, width, height, 1);
+        return differential.Take(0);
+    }
 }

@@ -21,6 +21,9 @@ public sealed class SphericalCamera : Camera, IWideCamera
     /// <inheritdoc/>
     public override Ray RayAt(double x, double y, int width, int height) => ScalarCamera.RayAt(this, x, y, width, height);
 
+    /// <inheritdoc/>
+    public override RayDifferential DifferentialAt(double x, double y, int width, int height) => ScalarCamera.DifferentialAt(this, x, y, width, height);
+
     unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
     {
         R turn = R.Of(width), twoTurns = R.Of(2.0 * height);
@@ -34,6 +37,25 @@ public sealed class SphericalCamera : Camera, IWideCamera
             rays.DirectionX[packet] = sinTheta * sinPhi;
             rays.DirectionY[packet] = cosTheta;
             rays.DirectionZ[packet] = sinTheta * cosPhi;
+        }
+    }
+
+    /// <remarks>d(phi) of the direction (sin theta sin phi, cos theta, sin theta cos phi) is (z, 0, -x); d(theta) is (y x, -s², y z) / s with s = sin theta.</remarks>
+    unsafe void IWideCamera.Differentials<T>(
+        in VectorColumns<T> directions, in DifferentialColumns<T> differentials, int packets, int width, int height, double spacing)
+    {
+        T turn = T.Of(2 * Math.PI / width * spacing), half = T.Of(Math.PI / height * spacing);
+        VectorColumns<T> d = directions;
+        for (int packet = 0; packet < packets; packet++)
+        {
+            T x = d.X[packet], y = d.Y[packet], z = d.Z[packet];
+            T sin = T.Sqrt(T.Fma(x, x, z * z));
+            T isPole = T.Equal(sin, T.Zero);
+            T down = half * y / T.Select(isPole, T.Of(1), sin);
+            differentials.DirectionDx.Store(packet, z * turn, T.Zero, -x * turn);
+            differentials.DirectionDy.Store(packet, x * down, -sin * half, T.Select(isPole, half * y, z * down));
+            differentials.OriginDx.Store(packet, T.Zero, T.Zero, T.Zero);
+            differentials.OriginDy.Store(packet, T.Zero, T.Zero, T.Zero);
         }
     }
 }

@@ -108,4 +108,9 @@ internal readonly struct BoxKernel : IShapeKernel
     {
         public R X, Y, Z;
     }
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> =>
+        frame = LinearLanes<R>.Scaling(R.Of(1) / shape[HalfX], R.Of(1) / shape[HalfY], R.Of(1) / shape[HalfZ]);
 }

@@ -62,5 +62,36 @@ internal sealed unsafe class CustomGroup<R, F, I> : ShapeGroup<R, F, I>
         }
     }
 
+    public override void Differentiate(
+        RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            int ray = order[i];
+            (Shape shape, Transform transform, _) = _members[memberOfObject[((int*)hits.Object)[ray]]];
+            Ray localRay = transform.ObjectFromWorld(rays[ray]);
+            Hit hit = new(R.Take(hits.T, ray), ((int*)hits.Part)[ray], R.Take(hits.A, ray), R.Take(hits.B, ray));
+            SurfacePoint here = shape.SurfaceAt(localRay, hit);
+            CustomSteps.Change x = CustomSteps.Along(shape, localRay, here, transform.ObjectFromWorld(steps.WorldDx.Take(i)));
+            CustomSteps.Change y = CustomSteps.Along(shape, localRay, here, transform.ObjectFromWorld(steps.WorldDy.Take(i)));
+            steps.LocalDx.Put(i, x.Local);
+            steps.LocalDy.Put(i, y.Local);
+            Vector3D shading = new(R.Take(surfaces.ShadingX, i), R.Take(surfaces.ShadingY, i), R.Take(surfaces.ShadingZ, i));
+            steps.NormalDx.Put(i, NormalChange(transform, here.ShadingNormal, x.Normal, shading));
+            steps.NormalDy.Put(i, NormalChange(transform, here.ShadingNormal, y.Normal, shading));
+            MappingGradient own = here.Position.SurfaceGradient;
+            steps.SurfaceGradient.Put(i, own != default ? own : new MappingGradient(
+                CustomSteps.Gradient(x.Local, y.Local, x.Surface.U, y.Surface.U), CustomSteps.Gradient(x.Local, y.Local, x.Surface.V, y.Surface.V)));
+        }
+    }
+
+    /// <summary>Change of the world-space normal: the object-space one through the inverse transpose, its part along the normal taken away.</summary>
+    private static Vector3D NormalChange(Transform transform, Vector3D objectNormal, Vector3D objectChange, Vector3D shading)
+    {
+        Vector3D change = transform.WorldNormalFromObject(objectChange);
+        double length = Vector3D.Dot(transform.WorldNormalFromObject(objectNormal), shading);
+        return length == 0 ? Vector3D.Zero : (change - (shading * Vector3D.Dot(change, shading))) / length;
+    }
+
     private static bool Wins(double t, int number, double knownT, int knownNumber) => t < knownT || (t == knownT && number < knownNumber && knownNumber != HitBatch<R, F, I>.Miss);
 }

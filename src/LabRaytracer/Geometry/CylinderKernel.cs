@@ -12,6 +12,8 @@ internal readonly struct CylinderKernel : IShapeKernel
 
     public static bool IsConvex => true;
 
+    public static bool IsCurved => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Cylinder cylinder = (Cylinder)shape;
@@ -186,4 +188,17 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> =>
         new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], shape[Radius], shape[HalfHeight], k);
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R scale = R.Of(1) / shape[Radius];
+        frame = LinearLanes<R>.Scaling(scale, R.Of(1) / shape[HalfHeight], scale);
+    }
+
+    public static void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> =>
+        normal = new NormalLanes<R> { X = x, Z = z, StepX = stepX, StepZ = stepZ };
 }

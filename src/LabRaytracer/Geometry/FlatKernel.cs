@@ -77,4 +77,13 @@ internal readonly struct FlatKernel<TOutline> : IShapeKernel
     private static R Size<R, P>(in P shape, int at)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => R.Abs(shape[at]) + R.Abs(shape[at + 1]) + R.Abs(shape[at + 2]);
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => frame = new LinearLanes<R>
+        {
+            XX = shape[DualX], XY = shape[DualX + 1], XZ = shape[DualX + 2],
+            YX = shape[Normal], YY = shape[Normal + 1], YZ = shape[Normal + 2],
+            ZX = shape[DualZ], ZY = shape[DualZ + 1], ZZ = shape[DualZ + 2],
+        };
 }

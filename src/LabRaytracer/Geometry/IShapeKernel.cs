@@ -74,4 +74,34 @@ internal interface IShapeKernel
         where P : struct, IParameters<R>
     {
     }
+
+    /// <summary>The linear map from the space of the ray to the shape's unit form, for steps in the tangent plane.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="frame">The map.</param>
+    static abstract void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>;
+
+    /// <summary>Tells whether the shading normal changes over the surface. Default: no.</summary>
+    static virtual bool IsCurved => false;
+
+    /// <summary>Shading normals of the unit form, of any length, and their changes over steps; only called if the shape is curved.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="x">Local point.</param>
+    /// <param name="y">Local point.</param>
+    /// <param name="z">Local point.</param>
+    /// <param name="stepX">Step in the unit form.</param>
+    /// <param name="stepY">Step in the unit form.</param>
+    /// <param name="stepZ">Step in the unit form.</param>
+    /// <param name="normal">The normals and their changes.</param>
+    static virtual void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => normal = default;
+
+    /// <summary>Gradient of the shape's own texture coordinates with respect to the local point. Default: zero, of shapes that have none.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="gradient">Gradients of u and v.</param>
+    static virtual void SurfaceGradient<R, P>(in P shape, out GradientLanes<R> gradient)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => gradient = default;
 }

@@ -133,6 +133,27 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         }
     }
 
+    public override void Differentiate(
+        RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
+    {
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            int one = ((int*)hits.Object)[run.First];
+            I number = run.Collect(hits.Object);
+            if (_numberOfMember.Count == 1 || I.AllEqual(number, one))
+            {
+                int member = _numberOfMember.Count == 1 ? 0 : memberOfObject[one];
+                KernelSteps<K, R, F, I>.Run(new SharedParameters<R, F, I>(_numbers, member * K.ParameterCount), packet, surfaces, steps, needs);
+            }
+            else
+            {
+                I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
+                KernelSteps<K, R, F, I>.Run(new GatheredParameters<R, F, I>(_numbers, first), packet, surfaces, steps, needs);
+            }
+        }
+    }
+
     private static void KeepRefined(HitBatch<R, F, I> hits, int* order, int count, int packet, R t)
     {
         int first = packet * R.Width;

@@ -93,6 +93,53 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         }
     }
 
+    public override void Differentiate(
+        RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
+    {
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            I members = _members.Count == 1 ? I.Of(0) : I.Gather(memberOfObject, run.Collect(hits.Object));
+            for (int lane = 0; lane < R.Width; lane = NextMember(members, lane))
+            {
+                int member = I.Get(members, lane);
+                I mask = I.Equal(members, I.Of(member));
+                LinearLanes<R> frame = LinearLanes<R>.Scaling(R.Of(1), R.Of(1), R.Of(1));
+                if (isTransformed)
+                {
+                    WorldSpace.Linear(Transform(member), out frame);
+                }
+
+                I triangle = run.Collect(hits.Part) & mask;
+                R a = run.Collect<R, F>(hits.A), b = run.Collect<R, F>(hits.B);
+                Differentiate(member, mask, triangle, a, b, frame, packet, surfaces, steps.WorldDx, steps.LocalDx, steps.NormalDx, needs);
+                Differentiate(member, mask, triangle, a, b, frame, packet, surfaces, steps.WorldDy, steps.LocalDy, steps.NormalDy, needs);
+                if ((needs & StepNeeds.SurfaceGradient) != 0)
+                {
+                    MeshSteps.SurfaceGradient<R, F, I>(_members[member].Mesh.Data, triangle, out GradientLanes<R> g);
+                    F isOwn = R.MaskToSingle(R.MaskFromInt32(mask));
+                    steps.SurfaceGradient.U.Merge(packet, isOwn, R.ToSingle(g.UX), R.ToSingle(g.UY), R.ToSingle(g.UZ));
+                    steps.SurfaceGradient.V.Merge(packet, isOwn, R.ToSingle(g.VX), R.ToSingle(g.VY), R.ToSingle(g.VZ));
+                }
+            }
+        }
+    }
+
+    /// <summary>What changes over one step of the lanes of one member.</summary>
+    private void Differentiate(
+        int member, I mask, I triangle, R a, R b, in LinearLanes<R> frame, int packet, SurfaceBatch<R, F, I> surfaces,
+        in VectorColumns<F> world, in VectorColumns<F> local, in VectorColumns<F> normals, StepNeeds needs)
+    {
+        F isOwn = R.MaskToSingle(R.MaskFromInt32(mask));
+        (R X, R Y, R Z) step = frame.Apply(R.FromSingle(world.X[packet]), R.FromSingle(world.Y[packet]), R.FromSingle(world.Z[packet]));
+        local.Merge(packet, isOwn, R.ToSingle(step.X), R.ToSingle(step.Y), R.ToSingle(step.Z));
+        if ((needs & StepNeeds.Normal) != 0)
+        {
+            MeshSteps.BendNormal<R, F, I>(_members[member].Mesh.Data, triangle, a, b, step, out NormalLanes<R> normal);
+            NormalSteps.Store(frame, normal, surfaces, packet, isOwn, normals);
+        }
+    }
+
     /// <summary>The first lane whose member no earlier lane has, or the width.</summary>
     private static int NextMember(in I members, int lane)
     {

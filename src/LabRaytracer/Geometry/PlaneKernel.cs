@@ -138,4 +138,13 @@ internal readonly struct PlaneKernel : IShapeKernel
             t = RoundedParameter.Replace(t, lane, ExactDistance.OfPlane(RoundedParameter.Lane(ray, lane), point, normal));
         }
     }
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => frame = new LinearLanes<R>
+        {
+            XX = shape[AxisX], XY = shape[AxisX + 1], XZ = shape[AxisX + 2],
+            YX = shape[Normal], YY = shape[Normal + 1], YZ = shape[Normal + 2],
+            ZX = shape[AxisZ], ZY = shape[AxisZ + 1], ZZ = shape[AxisZ + 2],
+        };
 }

@@ -24,8 +24,13 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow"/>. In float lanes the rays themselves.</summary>
     private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
 
-    public RayBatch(LaneMemory memory, int capacity)
+    /// <param name="memory">Owns the columns.</param>
+    /// <param name="capacity">Most rays.</param>
+    /// <param name="hasDifferentials">Whether the rays carry differentials.</param>
+    public RayBatch(LaneMemory memory, int capacity, bool hasDifferentials = false)
     {
+        HasDifferentials = hasDifferentials;
+        Differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
         OriginX = memory.Column<R>(capacity, R.Width);
         OriginY = memory.Column<R>(capacity, R.Width);
         OriginZ = memory.Column<R>(capacity, R.Width);
@@ -42,6 +47,15 @@ internal sealed unsafe class RayBatch<R, F, I>
         _directionY = R.IsSingle ? (F*)DirectionY : memory.Column<F>(capacity, R.Width);
         _directionZ = R.IsSingle ? (F*)DirectionZ : memory.Column<F>(capacity, R.Width);
     }
+
+    /// <summary>Tells whether the rays carry differentials.</summary>
+    public bool HasDifferentials { get; }
+
+    /// <summary>Changes of the rays from one sample to the next ones; only there if some texture is filtered.</summary>
+    public DifferentialColumns<F> Differentials { get; }
+
+    /// <summary>Directions rounded to float; written by <see cref="Narrow"/>.</summary>
+    public VectorColumns<F> SingleDirections => new(_directionX, _directionY, _directionZ);
 
     /// <summary>Number of rays.</summary>
     public int Count { get; set; }

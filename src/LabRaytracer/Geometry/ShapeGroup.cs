@@ -36,4 +36,16 @@ internal abstract unsafe class ShapeGroup<R, F, I>
     /// <param name="needs">Columns that somebody reads.</param>
     public abstract void Surface(
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs);
+
+    /// <summary>What changes over steps in the tangent planes of hits on members of this group.</summary>
+    /// <param name="rays">The rays that hit.</param>
+    /// <param name="hits">Their hits.</param>
+    /// <param name="order">Numbers of the rays, padded to whole groups of lanes with valid numbers.</param>
+    /// <param name="count">How many rays.</param>
+    /// <param name="memberOfObject">The member number of each object number of this group.</param>
+    /// <param name="surfaces">Surface points of the hits with local points and shading normals of either sign, in the order of <paramref name="order"/>.</param>
+    /// <param name="steps">Steps in world space, in that order; receives what changes over them.</param>
+    /// <param name="needs">What somebody reads.</param>
+    public abstract void Differentiate(
+        RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs);
 }

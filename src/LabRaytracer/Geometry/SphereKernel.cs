@@ -14,6 +14,8 @@ internal readonly struct SphereKernel : IShapeKernel
 
     public static bool HasQuickLook => true;
 
+    public static bool IsCurved => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Sphere sphere = (Sphere)shape;
@@ -234,4 +236,17 @@ internal readonly struct SphereKernel : IShapeKernel
         t = R.Select(mask, precise.T, t);
         return R.Select(mask, precise.IsHit, hit);
     }
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R scale = R.Of(1) / shape[Radius];
+        frame = LinearLanes<R>.Scaling(scale, scale, scale);
+    }
+
+    public static void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> =>
+        normal = new NormalLanes<R> { X = x, Y = y, Z = z, StepX = stepX, StepY = stepY, StepZ = stepZ };
 }

@@ -12,6 +12,8 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
 
     public static bool IsConvex => K.IsConvex;
 
+    public static bool IsCurved => K.IsCurved;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         WorldSpace.Describe(transform, numbers);
@@ -51,4 +53,25 @@ internal readonly struct TransformedKernel<K> : IShapeKernel
         K.Sharpen(own, objectRay, ref t, ref s);
         WorldSpace.FromObject(shape, ref s);
     }
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        K.LocalFrame(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), out LinearLanes<R> local);
+        WorldSpace.Linear(shape, out LinearLanes<R> toObject);
+        (frame.XX, frame.XY, frame.XZ) = toObject.ApplyTransposed(local.XX, local.XY, local.XZ);
+        (frame.YX, frame.YY, frame.YZ) = toObject.ApplyTransposed(local.YX, local.YY, local.YZ);
+        (frame.ZX, frame.ZY, frame.ZZ) = toObject.ApplyTransposed(local.ZX, local.ZY, local.ZZ);
+    }
+
+    public static void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> =>
+        K.BendNormal(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), x, y, z, stepX, stepY, stepZ, out normal);
+
+    public static void SurfaceGradient<R, P>(in P shape, out GradientLanes<R> gradient)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> =>
+        K.SurfaceGradient(new OffsetParameters<R, P>(shape, WorldSpace.ParameterCount), out gradient);
 }

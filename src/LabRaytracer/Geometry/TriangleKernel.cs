@@ -11,6 +11,8 @@ internal readonly struct TriangleKernel : IShapeKernel
 
     public static bool IsConvex => true;
 
+    public static bool IsCurved => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Triangle triangle = (Triangle)shape;
@@ -90,4 +92,43 @@ internal readonly struct TriangleKernel : IShapeKernel
         numbers[1] = value.Y;
         numbers[2] = value.Z;
     }
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => frame = LinearLanes<R>.Scaling(R.Of(1), R.Of(1), R.Of(1));
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        TriangleGradient<R> weights = Gradient<R, P>(shape);
+        R px = x - shape[Vertex], py = y - shape[Vertex + 1], pz = z - shape[Vertex + 2];
+        R b = Lane.Dot(weights.SecondX, weights.SecondY, weights.SecondZ, px, py, pz);
+        R c = Lane.Dot(weights.ThirdX, weights.ThirdY, weights.ThirdZ, px, py, pz);
+        R stepB = Lane.Dot(weights.SecondX, weights.SecondY, weights.SecondZ, stepX, stepY, stepZ);
+        R stepC = Lane.Dot(weights.ThirdX, weights.ThirdY, weights.ThirdZ, stepX, stepY, stepZ);
+        R a = R.Of(1) - b - c, stepA = -stepB - stepC;
+        normal.X = Mix(shape, Shading, 3, a, b, c);
+        normal.Y = Mix(shape, Shading + 1, 3, a, b, c);
+        normal.Z = Mix(shape, Shading + 2, 3, a, b, c);
+        normal.StepX = Mix(shape, Shading, 3, stepA, stepB, stepC);
+        normal.StepY = Mix(shape, Shading + 1, 3, stepA, stepB, stepC);
+        normal.StepZ = Mix(shape, Shading + 2, 3, stepA, stepB, stepC);
+    }
+
+    public static void SurfaceGradient<R, P>(in P shape, out GradientLanes<R> gradient)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        TriangleGradient<R> weights = Gradient<R, P>(shape);
+        (gradient.UX, gradient.UY, gradient.UZ) = weights.Of(shape[Texture + 2] - shape[Texture], shape[Texture + 4] - shape[Texture]);
+        (gradient.VX, gradient.VY, gradient.VZ) = weights.Of(shape[Texture + 3] - shape[Texture + 1], shape[Texture + 5] - shape[Texture + 1]);
+    }
+
+    private static TriangleGradient<R> Gradient<R, P>(in P shape)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => new(
+            shape[Vertex + 3] - shape[Vertex], shape[Vertex + 4] - shape[Vertex + 1], shape[Vertex + 5] - shape[Vertex + 2],
+            shape[Vertex + 6] - shape[Vertex], shape[Vertex + 7] - shape[Vertex + 1], shape[Vertex + 8] - shape[Vertex + 2]);
 }

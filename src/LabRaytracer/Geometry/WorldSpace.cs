@@ -100,4 +100,14 @@ internal static class WorldSpace
         z = worldZ * toUnit;
         return toUnit;
     }
+
+    /// <summary>The linear part of the map from world space to object space.</summary>
+    public static void Linear<R, P>(in P m, out LinearLanes<R> toObject)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => toObject = new LinearLanes<R>
+        {
+            XX = m[ObjectFromWorld], XY = m[ObjectFromWorld + 1], XZ = m[ObjectFromWorld + 2],
+            YX = m[ObjectFromWorld + 4], YY = m[ObjectFromWorld + 5], YZ = m[ObjectFromWorld + 6],
+            ZX = m[ObjectFromWorld + 8], ZY = m[ObjectFromWorld + 9], ZZ = m[ObjectFromWorld + 10],
+        };
 }

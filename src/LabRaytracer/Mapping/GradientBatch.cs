@@ -11,6 +11,12 @@ internal unsafe struct GradientBatch<T>
     /// <summary>Gradient of v, object space.</summary>
     public T* VX, VY, VZ;
 
+    /// <summary>Columns of the gradient of u.</summary>
+    public readonly VectorColumns<T> U => new(UX, UY, UZ);
+
+    /// <summary>Columns of the gradient of v.</summary>
+    public readonly VectorColumns<T> V => new(VX, VY, VZ);
+
     /// <summary>New columns.</summary>
     /// <param name="memory">Owns them.</param>
     /// <param name="capacity">Scalars in each.</param>

@@ -1,0 +1,61 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Steps on shapes whose formulas are a kernel.</summary>
+internal static unsafe class KernelSteps<K, R, F, I>
+    where K : struct, IShapeKernel
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    /// <summary>Differentiates one group of lanes.</summary>
+    /// <param name="shape">The shapes' numbers.</param>
+    /// <param name="packet">Group of lanes.</param>
+    /// <param name="surfaces">The hits, normals already turned to the viewer.</param>
+    /// <param name="steps">Steps in world space; receives what changes over them.</param>
+    /// <param name="needs">What somebody reads.</param>
+    public static void Run<P>(in P shape, int packet, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
+        where P : struct, IParameters<R>
+    {
+        K.LocalFrame(shape, out LinearLanes<R> frame);
+        ToLocal(frame, packet, steps.WorldDx, steps.LocalDx);
+        ToLocal(frame, packet, steps.WorldDy, steps.LocalDy);
+        if ((needs & StepNeeds.Normal) != 0)
+        {
+            Bend(shape, frame, packet, surfaces, steps.LocalDx, steps.NormalDx);
+            Bend(shape, frame, packet, surfaces, steps.LocalDy, steps.NormalDy);
+        }
+
+        if ((needs & StepNeeds.SurfaceGradient) != 0)
+        {
+            K.SurfaceGradient(shape, out GradientLanes<R> g);
+            GradientBatch<F> own = steps.SurfaceGradient;
+            (own.UX[packet], own.UY[packet], own.UZ[packet]) = (R.ToSingle(g.UX), R.ToSingle(g.UY), R.ToSingle(g.UZ));
+            (own.VX[packet], own.VY[packet], own.VZ[packet]) = (R.ToSingle(g.VX), R.ToSingle(g.VY), R.ToSingle(g.VZ));
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void ToLocal(in LinearLanes<R> frame, int packet, in VectorColumns<F> world, in VectorColumns<F> local)
+    {
+        (R x, R y, R z) = frame.Apply(R.FromSingle(world.X[packet]), R.FromSingle(world.Y[packet]), R.FromSingle(world.Z[packet]));
+        local.Store(packet, R.ToSingle(x), R.ToSingle(y), R.ToSingle(z));
+    }
+
+    private static void Bend<P>(in P shape, in LinearLanes<R> frame, int packet, SurfaceBatch<R, F, I> surfaces, in VectorColumns<F> local, in VectorColumns<F> result)
+        where P : struct, IParameters<R>
+    {
+        if (!K.IsCurved)
+        {
+            result.Store(packet, F.Zero, F.Zero, F.Zero);
+            return;
+        }
+
+        K.BendNormal(
+            shape,
+            surfaces.Positions.X[packet], surfaces.Positions.Y[packet], surfaces.Positions.Z[packet],
+            R.FromSingle(local.X[packet]), R.FromSingle(local.Y[packet]), R.FromSingle(local.Z[packet]), out NormalLanes<R> normal);
+        NormalSteps.Store(frame, normal, surfaces, packet, F.True, result);
+    }
+}
