@@ -69,11 +69,10 @@ internal sealed unsafe class CustomGroup<R, F, I> : ShapeGroup<R, F, I>
         {
             int ray = order[i];
             (Shape shape, Transform transform, _) = _members[memberOfObject[((int*)hits.Object)[ray]]];
-            Ray localRay = transform.ObjectFromWorld(rays[ray]);
             Hit hit = new(R.Take(hits.T, ray), ((int*)hits.Part)[ray], R.Take(hits.A, ray), R.Take(hits.B, ray));
-            SurfacePoint here = shape.SurfaceAt(localRay, hit);
-            CustomSteps.Change x = CustomSteps.Along(shape, localRay, here, transform.ObjectFromWorld(steps.WorldDx.Take(i)));
-            CustomSteps.Change y = CustomSteps.Along(shape, localRay, here, transform.ObjectFromWorld(steps.WorldDy.Take(i)));
+            SurfacePoint here = shape.SurfaceAt(transform.ObjectFromWorld(rays[ray]), hit);
+            CustomSteps.Change x = CustomSteps.Along(shape, here, transform.ObjectFromWorld(steps.WorldDx.Take(i)));
+            CustomSteps.Change y = CustomSteps.Along(shape, here, transform.ObjectFromWorld(steps.WorldDy.Take(i)));
             steps.LocalDx.Put(i, x.Local);
             steps.LocalDy.Put(i, y.Local);
             Vector3D shading = new(R.Take(surfaces.ShadingX, i), R.Take(surfaces.ShadingY, i), R.Take(surfaces.ShadingZ, i));

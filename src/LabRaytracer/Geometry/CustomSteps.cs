@@ -1,10 +1,13 @@
 namespace LabRaytracer;
 
-/// <summary>What changes over a step on a shape that only knows one ray at a time: seen by a second ray beside the first one.</summary>
+/// <summary>What changes over a step on a shape that only knows one ray at a time: seen by a second ray, straight down onto the point a small part of the step away.</summary>
 internal static class CustomSteps
 {
     /// <summary>Step relative to the point's largest coordinate.</summary>
     private const double RelativeStep = 1.0 / (1 << 17);
+
+    /// <summary>Height from which the second ray looks down, relative to the same.</summary>
+    private const double RelativeHeight = 1.0 / 128;
 
     /// <summary>Local point, normal and own coordinates over a step.</summary>
     /// <param name="Local">Change of the local point.</param>
@@ -12,13 +15,12 @@ internal static class CustomSteps
     /// <param name="Surface">Change of the shape's own coordinates.</param>
     public readonly record struct Change(Vector3D Local, Vector3D Normal, TextureCoordinate Surface);
 
-    /// <summary>The changes over a step, by a ray that runs beside the first one by a small part of the step.</summary>
+    /// <summary>The changes over a step.</summary>
     /// <param name="shape">The shape.</param>
-    /// <param name="ray">The ray that hit, object space.</param>
-    /// <param name="here">What it hit.</param>
+    /// <param name="here">Where it was hit.</param>
     /// <param name="step">The step, object space, in the tangent plane.</param>
     /// <remarks>Where the second ray hits something else, the local point is taken to move with the step, and the normal to stay.</remarks>
-    public static Change Along(Shape shape, in Ray ray, in SurfacePoint here, Vector3D step)
+    public static Change Along(Shape shape, in SurfacePoint here, Vector3D step)
     {
         double length = step.Length;
         if (!(length > 0) || !double.IsFinite(length))
@@ -27,8 +29,9 @@ internal static class CustomSteps
         }
 
         double size = Math.Max(Math.Max(Math.Abs(here.Point.X), Math.Abs(here.Point.Y)), Math.Abs(here.Point.Z));
-        double part = RelativeStep * (size > 0 ? size : 1) / length;
-        Ray beside = new(ray.Origin + (step * part), ray.Direction);
+        size = size > 0 ? size : 1;
+        double part = RelativeStep * size / length;
+        Ray beside = new(here.Point + (step * part) + (here.Normal * (RelativeHeight * size)), -here.Normal);
         if (!shape.Intersect(beside, double.PositiveInfinity, out Hit hit))
         {
             return new Change(step, Vector3D.Zero, default);

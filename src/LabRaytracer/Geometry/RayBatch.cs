@@ -98,6 +98,17 @@ internal sealed unsafe class RayBatch<R, F, I>
         new Point3D(R.Take(OriginX, ray), R.Take(OriginY, ray), R.Take(OriginZ, ray)),
         new Vector3D(R.Take(DirectionX, ray), R.Take(DirectionY, ray), R.Take(DirectionZ, ray)));
 
+    /// <summary>Writes one ray, rounded.</summary>
+    public void Set(int ray, in Ray value)
+    {
+        R.Put(OriginX, ray, value.Origin.X);
+        R.Put(OriginY, ray, value.Origin.Y);
+        R.Put(OriginZ, ray, value.Origin.Z);
+        R.Put(DirectionX, ray, value.Direction.X);
+        R.Put(DirectionY, ray, value.Direction.Y);
+        R.Put(DirectionZ, ray, value.Direction.Z);
+    }
+
     /// <summary>Turns the spare lanes behind the last ray off.</summary>
     public void PadTail()
     {

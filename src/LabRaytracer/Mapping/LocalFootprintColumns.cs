@@ -9,17 +9,21 @@ internal readonly unsafe struct LocalFootprintColumns
     /// <summary>Change of the local point over one sample down.</summary>
     public readonly float* XDy, YDy, ZDy;
 
-    /// <param name="memory">Owns the columns.</param>
-    /// <param name="capacity">Floats in each.</param>
-    public LocalFootprintColumns(LaneMemory memory, int capacity)
+    private LocalFootprintColumns(float* xDx, float* yDx, float* zDx, float* xDy, float* yDy, float* zDy)
     {
-        XDx = (float*)memory.Column<Float16>(capacity, Float16.Width);
-        YDx = (float*)memory.Column<Float16>(capacity, Float16.Width);
-        ZDx = (float*)memory.Column<Float16>(capacity, Float16.Width);
-        XDy = (float*)memory.Column<Float16>(capacity, Float16.Width);
-        YDy = (float*)memory.Column<Float16>(capacity, Float16.Width);
-        ZDy = (float*)memory.Column<Float16>(capacity, Float16.Width);
+        XDx = xDx;
+        YDx = yDx;
+        ZDx = zDx;
+        XDy = xDy;
+        YDy = yDy;
+        ZDy = zDy;
     }
+
+    /// <summary>The same memory as columns of vectors of float lanes.</summary>
+    /// <param name="dx">Change over one sample to the right.</param>
+    /// <param name="dy">Change over one sample down.</param>
+    public static LocalFootprintColumns Of<F>(in VectorColumns<F> dx, in VectorColumns<F> dy)
+        where F : unmanaged, IReal<F> => new((float*)dx.X, (float*)dx.Y, (float*)dx.Z, (float*)dy.X, (float*)dy.Y, (float*)dy.Z);
 
     /// <summary>Reads one footprint.</summary>
     public SurfaceFootprint Take(int element) => new(

@@ -86,6 +86,9 @@ internal sealed class CompiledMaterial
     /// <summary>Textures and mappings by what is computed at once.</summary>
     public IEnumerable<LookupList> AllTextures => Opacity is null ? [Textures] : [Textures, Opacity.Lookups];
 
+    /// <summary>What must be known of steps on the surface if rays carry differentials; how normals bend is told by the local point.</summary>
+    public StepNeeds Steps => Textures.Steps | (HasSecondaryRays ? StepNeeds.Normal : StepNeeds.None);
+
     /// <summary>Number of slots that are the same everywhere.</summary>
     public int ConstantSlots { get; }
 

@@ -40,6 +40,48 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         }
     }
 
+    /// <summary>Tells whether some texture reads footprints.</summary>
+    public bool NeedsFootprints
+    {
+        get
+        {
+            bool needs = false;
+            foreach (CompiledLookup lookup in _lookups)
+            {
+                needs |= (lookup.Needs & TextureNeeds.Footprint) != 0;
+            }
+
+            return needs;
+        }
+    }
+
+    /// <summary>What must be known of steps on the surface if rays carry differentials.</summary>
+    public StepNeeds Steps
+    {
+        get
+        {
+            bool hasOwn = false;
+            foreach (CompiledCoordinates set in _coordinates)
+            {
+                hasOwn |= set.Mapping is MeshMapping or not IWideMapping;
+            }
+
+            return !NeedsFootprints ? StepNeeds.None : hasOwn ? StepNeeds.Local | StepNeeds.SurfaceGradient : StepNeeds.Local;
+        }
+    }
+
+    /// <summary>Tells whether some texture reads the footprints of a coordinate set.</summary>
+    public bool NeedsFootprint(int set)
+    {
+        bool needs = false;
+        foreach (CompiledLookup lookup in _lookups)
+        {
+            needs |= lookup.Coordinates == set && (lookup.Needs & TextureNeeds.Footprint) != 0;
+        }
+
+        return needs;
+    }
+
     /// <summary>Reduces a colour slot.</summary>
     /// <param name="slot">The slot.</param>
     /// <param name="cutOut">Texture whose alpha cuts the surface out, or null: its colours are weighted by alpha in filters.</param>
@@ -86,7 +128,7 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
     {
         (ITexture, TextureUse, int) key = (texture, use, AddCoordinates(texture, mapping, transform));
         int known = _keys.IndexOf(key);
-        return known >= 0 ? known : Append(key, new CompiledLookup(textures.Prepare(texture, use), texture.Needs, key.Item3));
+        return known >= 0 ? known : Append(key, new CompiledLookup(textures.Prepare(texture, use), textures.Needs(texture), key.Item3));
     }
 
     /// <summary>Adds the colour of a texture with alpha, weighted by alpha: filtered colour times alpha over filtered alpha.</summary>
@@ -97,7 +139,7 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         int known = _keys.IndexOf(key);
         return known >= 0
             ? known
-            : Append(key, new CompiledLookup(textures.Prepare(texture, TextureUse.Premultiplied), texture.Needs, key.Item3) { Alpha = alpha });
+            : Append(key, new CompiledLookup(textures.Prepare(texture, TextureUse.Premultiplied), textures.Needs(texture), key.Item3) { Alpha = alpha });
     }
 
     private int Append((ITexture Texture, TextureUse Use, int Coordinates) key, CompiledLookup lookup)

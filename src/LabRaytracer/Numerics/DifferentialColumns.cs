@@ -18,6 +18,24 @@ internal readonly struct DifferentialColumns<F>
         DirectionDy = new VectorColumns<F>(memory, capacity);
     }
 
+    /// <summary>Copies groups of lanes.</summary>
+    public void CopyFrom(in DifferentialColumns<F> other, int packets)
+    {
+        OriginDx.CopyFrom(other.OriginDx, packets);
+        DirectionDx.CopyFrom(other.DirectionDx, packets);
+        OriginDy.CopyFrom(other.OriginDy, packets);
+        DirectionDy.CopyFrom(other.DirectionDy, packets);
+    }
+
+    /// <summary>Moves the origins of a group of lanes along their rays.</summary>
+    /// <param name="packet">Group of lanes.</param>
+    /// <param name="way">How far.</param>
+    public void Advance(int packet, F way)
+    {
+        OriginDx.Add(packet, way, DirectionDx);
+        OriginDy.Add(packet, way, DirectionDy);
+    }
+
     /// <summary>Writes one differential, rounded.</summary>
     /// <param name="element">Number of the ray.</param>
     /// <param name="value">The differential.</param>

@@ -39,6 +39,18 @@ internal readonly unsafe struct VectorColumns<T>
     public void Merge(int packet, T mask, T x, T y, T z) =>
         Store(packet, T.Select(mask, x, X[packet]), T.Select(mask, y, Y[packet]), T.Select(mask, z, Z[packet]));
 
+    /// <summary>Adds a multiple of other columns to a group of lanes.</summary>
+    public void Add(int packet, T factor, in VectorColumns<T> other) =>
+        Store(packet, T.Fma(factor, other.X[packet], X[packet]), T.Fma(factor, other.Y[packet], Y[packet]), T.Fma(factor, other.Z[packet], Z[packet]));
+
+    /// <summary>Copies groups of lanes.</summary>
+    public void CopyFrom(in VectorColumns<T> other, int packets)
+    {
+        new ReadOnlySpan<T>(other.X, packets).CopyTo(new Span<T>(X, packets));
+        new ReadOnlySpan<T>(other.Y, packets).CopyTo(new Span<T>(Y, packets));
+        new ReadOnlySpan<T>(other.Z, packets).CopyTo(new Span<T>(Z, packets));
+    }
+
     /// <summary>Writes one vector, rounded.</summary>
     public void Put(int element, Vector3D value)
     {

@@ -39,7 +39,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
     /// <param name="capacity">Most rays of a batch.</param>
     public static AlphaCamera<R, F, I>? Of(CompiledScene<R, F, I> scene, bool isShaded, WorkerCounters counters, LaneMemory memory, int capacity) =>
         scene.AlphaSurfaces is { } surfaces
-            ? new AlphaCamera<R, F, I>(new AlphaLayers<R, F, I>(scene, surfaces, counters, memory, capacity), isShaded, memory, capacity)
+            ? new AlphaCamera<R, F, I>(new AlphaLayers<R, F, I>(scene, surfaces, counters, memory, capacity, scene.NeedsDifferentials), isShaded, memory, capacity)
             : null;
 
     /// <summary>Starts with the rays of a batch and their nearest opaque hits.</summary>

@@ -23,13 +23,15 @@ internal sealed unsafe class AlphaLayers<R, F, I>
     /// <param name="counters">Counts lookups.</param>
     /// <param name="memory">Owns the columns.</param>
     /// <param name="capacity">Most rays of a batch.</param>
-    public AlphaLayers(CompiledScene<R, F, I> scene, SceneBvh<R, F, I> surfaces, WorkerCounters counters, LaneMemory memory, int capacity)
+    /// <param name="hasDifferentials">Whether the rays carry differentials.</param>
+    public AlphaLayers(
+        CompiledScene<R, F, I> scene, SceneBvh<R, F, I> surfaces, WorkerCounters counters, LaneMemory memory, int capacity, bool hasDifferentials)
     {
         _scene = scene;
         _surfaces = surfaces;
         _counters = counters;
-        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity);
-        Rays = new RayBatch<R, F, I>(memory, capacity);
+        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, hasDifferentials);
+        Rays = new RayBatch<R, F, I>(memory, capacity, hasDifferentials);
         Hits = new HitBatch<R, F, I>(memory, capacity);
         Groups = new HitGroups<R, F, I>(scene, memory, capacity);
         Travelled = memory.Column<R>(capacity, R.Width);
@@ -71,6 +73,11 @@ internal sealed unsafe class AlphaLayers<R, F, I>
             Rays.Limit[packet] = limit[packet];
             Travelled[packet] = R.Zero;
         }
+
+        if (Rays.HasDifferentials)
+        {
+            Rays.Differentials.CopyFrom(rays.Differentials, rays.Packets);
+        }
     }
 
     /// <summary>Finds the next layer and its opacity.</summary>
@@ -111,6 +118,10 @@ internal sealed unsafe class AlphaLayers<R, F, I>
             Rays.OriginY[packet] = R.Select(missed, Rays.OriginY[packet], _exitY[packet]);
             Rays.OriginZ[packet] = R.Select(missed, Rays.OriginZ[packet], _exitZ[packet]);
             Travelled[packet] += R.Select(missed, zero, way);
+            if (Rays.HasDifferentials)
+            {
+                Rays.Differentials.Advance(packet, R.ToSingle(R.Select(missed, zero, way)));
+            }
         }
     }
 
@@ -121,6 +132,11 @@ internal sealed unsafe class AlphaLayers<R, F, I>
         SurfaceBatch<R, F, I> s = _buffers.Surfaces;
         key.Group.Surface(Rays, Hits, order, count, _scene.MemberOfObject, s, opacity.Lookups.Needs);
         ViewerStage.Run(Rays, Hits, order, count, _buffers);
+        if (Rays.HasDifferentials && opacity.Lookups.NeedsFootprints)
+        {
+            FootprintStage.Step(key.Group, Rays, Hits, order, count, _scene.MemberOfObject, _buffers, opacity.Lookups.Steps);
+        }
+
         TextureStage.Run(opacity.Lookups, _buffers, count, _counters);
         _counters.AlphaTests += count;
         for (int packet = 0; packet * R.Width < count; packet++)

@@ -17,7 +17,7 @@ internal sealed unsafe class AlphaShadows<R, F, I>
 
     /// <summary>What a worker needs for a scene; null if none of its objects with an opacity casts shadows.</summary>
     public static AlphaShadows<R, F, I>? Of(CompiledScene<R, F, I> scene, WorkerCounters counters, LaneMemory memory, int capacity) => scene.AlphaCasters is { } casters
-        ? new AlphaShadows<R, F, I>(new AlphaLayers<R, F, I>(scene, casters, counters, memory, capacity), memory, capacity)
+        ? new AlphaShadows<R, F, I>(new AlphaLayers<R, F, I>(scene, casters, counters, memory, capacity, hasDifferentials: false), memory, capacity)
         : null;
 
     /// <summary>Weakens the light of shadow rays that nothing opaque blocks; where nothing of it is left they are turned off.</summary>

@@ -22,6 +22,11 @@ internal static unsafe class BackgroundStage
                 at.Z[packet] = at.NormalZ[packet] = run.Collect<R, F>(rays.DirectionZ);
             }
 
+            if (buffers.Footprints is not null)
+            {
+                FootprintStage.StepBackground(rays, order, count, buffers);
+            }
+
             TextureStage.Run(background, buffers, count, counters);
         }
 

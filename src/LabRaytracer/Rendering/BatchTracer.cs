@@ -30,8 +30,9 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Capacity = capacity;
         _hits = new HitBatch<R, F, I>(memory, capacity);
         _groups = new HitGroups<R, F, I>(scene, memory, capacity);
-        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity);
-        _secondary = new SecondaryRays(capacity);
+        HasDifferentials = scene.NeedsDifferentials;
+        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, HasDifferentials);
+        _secondary = new SecondaryRays(capacity, HasDifferentials);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity);
         Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
@@ -42,6 +43,9 @@ internal sealed unsafe class BatchTracer<R, F, I>
         _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), counters, memory, capacity);
         _lights = new LightStage<R, F, I>(scene, _buffers, lamps, counters, Tally, AlphaShadows<R, F, I>.Of(scene, counters, memory, capacity));
     }
+
+    /// <summary>Tells whether rays must carry differentials, because some texture is filtered.</summary>
+    public bool HasDifferentials { get; }
 
     /// <summary>Most rays of a batch.</summary>
     public int Capacity { get; }
@@ -65,7 +69,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     /// <param name="rays">The rays.</param>
     /// <param name="depth">Reflections and refractions so far.</param>
     /// <param name="queue">Receives the reflected and refracted rays.</param>
-    public void Trace(RayBatch<R, F, I> rays, int depth, List<SecondaryRay> queue)
+    public void Trace(RayBatch<R, F, I> rays, int depth, SecondaryQueue queue)
     {
         _sampling?.StartDepth(depth);
         Tally?.Add(rays);
@@ -172,9 +176,16 @@ internal sealed unsafe class BatchTracer<R, F, I>
         ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int depth, Intensity[] weights, R* travelled = null)
     {
         CompiledMaterial material = key.Material;
-        key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs);
+        StepNeeds steps = HasDifferentials ? material.Steps : StepNeeds.None;
+        SurfaceNeeds stepColumns = (steps & StepNeeds.Normal) != 0 ? SurfaceNeeds.LocalPoint : SurfaceNeeds.None;
+        key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs | stepColumns);
         Counters.Hits += count;
         ViewerStage.Run(rays, hits, order, count, _buffers);
+        if (steps != StepNeeds.None)
+        {
+            FootprintStage.Step(key.Group, rays, hits, order, count, _scene.MemberOfObject, _buffers, steps);
+        }
+
         Counters.Charge(RenderStage.Surface);
         if (ViewStage.IsShaded(_options.View))
         {
@@ -182,7 +193,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
             _lights.Run(material, order, count);
             if (material.HasSecondaryRays && depth < _options.MaxDepth)
             {
-                _secondaryStage.Run(material, order, count, weights, Pixels);
+                _secondaryStage.Run(material, rays, order, count, weights, Pixels);
             }
         }
         else

@@ -9,7 +9,7 @@ internal sealed unsafe class SecondaryColumns<R, F, I>
     private readonly R* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
     private readonly ColorColumns<F> _share;
 
-    public SecondaryColumns(LaneMemory memory, int capacity)
+    public SecondaryColumns(LaneMemory memory, int capacity, bool hasDifferentials)
     {
         _originX = memory.Column<R>(capacity, R.Width);
         _originY = memory.Column<R>(capacity, R.Width);
@@ -17,8 +17,12 @@ internal sealed unsafe class SecondaryColumns<R, F, I>
         _directionX = memory.Column<R>(capacity, R.Width);
         _directionY = memory.Column<R>(capacity, R.Width);
         _directionZ = memory.Column<R>(capacity, R.Width);
+        Differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
         _share = new ColorColumns<F>(memory, capacity);
     }
+
+    /// <summary>How the rays change from sample to sample; only there if rays carry differentials.</summary>
+    public DifferentialColumns<F> Differentials { get; }
 
     /// <summary>Writes the shares of light that the rays bring.</summary>
     public void SetShare(int packet, F red, F green, F blue)

@@ -4,26 +4,40 @@ namespace LabRaytracer;
 /// <remarks>
 /// The order does not depend on how hits were grouped or batches were cut: so neither does the order in which light is added to a pixel, to the last bit.
 /// </remarks>
-internal sealed class SecondaryRays(int capacity)
+/// <param name="capacity">Most rays of a batch.</param>
+/// <param name="hasDifferentials">Whether rays carry differentials.</param>
+internal sealed class SecondaryRays(int capacity, bool hasDifferentials)
 {
     private readonly SecondaryRay[] _reflected = new SecondaryRay[capacity];
     private readonly SecondaryRay[] _refracted = new SecondaryRay[capacity];
+    private readonly RayDifferential[] _reflectedChange = hasDifferentials ? new RayDifferential[capacity] : [];
+    private readonly RayDifferential[] _refractedChange = hasDifferentials ? new RayDifferential[capacity] : [];
     private readonly byte[] _present = new byte[capacity];
-    private readonly List<(int Ray, int Turn, SecondaryRay Secondary)> _layers = [];
+    private readonly List<(int Ray, int Turn, SecondaryRay Secondary, RayDifferential Change)> _layers = [];
     private bool _any;
 
     /// <summary>Keeps the reflected ray of a ray.</summary>
-    public void Reflect(int ray, in SecondaryRay secondary)
+    public void Reflect(int ray, in SecondaryRay secondary, in RayDifferential change)
     {
         _reflected[ray] = secondary;
+        if (hasDifferentials)
+        {
+            _reflectedChange[ray] = change;
+        }
+
         _present[ray] |= 1;
         _any = true;
     }
 
     /// <summary>Keeps the refracted ray of a ray.</summary>
-    public void Refract(int ray, in SecondaryRay secondary)
+    public void Refract(int ray, in SecondaryRay secondary, in RayDifferential change)
     {
         _refracted[ray] = secondary;
+        if (hasDifferentials)
+        {
+            _refractedChange[ray] = change;
+        }
+
         _present[ray] |= 2;
         _any = true;
     }
@@ -36,12 +50,12 @@ internal sealed class SecondaryRays(int capacity)
         {
             if ((_present[ray] & 1) != 0)
             {
-                _layers.Add((ray, _layers.Count, _reflected[ray]));
+                _layers.Add((ray, _layers.Count, _reflected[ray], Change(_reflectedChange, ray)));
             }
 
             if ((_present[ray] & 2) != 0)
             {
-                _layers.Add((ray, _layers.Count, _refracted[ray]));
+                _layers.Add((ray, _layers.Count, _refracted[ray], Change(_refractedChange, ray)));
             }
 
             _present[ray] = 0;
@@ -53,7 +67,7 @@ internal sealed class SecondaryRays(int capacity)
     /// <summary>Moves what was kept to the end of a list.</summary>
     /// <param name="count">Number of rays of the batch.</param>
     /// <param name="queue">The list.</param>
-    public void MoveTo(int count, List<SecondaryRay> queue)
+    public void MoveTo(int count, SecondaryQueue queue)
     {
         if (!_any && _layers.Count == 0)
         {
@@ -66,17 +80,17 @@ internal sealed class SecondaryRays(int capacity)
         {
             for (; layer < _layers.Count && _layers[layer].Ray == ray; layer++)
             {
-                queue.Add(_layers[layer].Secondary);
+                queue.Add(_layers[layer].Secondary, _layers[layer].Change);
             }
 
             if ((_present[ray] & 1) != 0)
             {
-                queue.Add(_reflected[ray]);
+                queue.Add(_reflected[ray], Change(_reflectedChange, ray));
             }
 
             if ((_present[ray] & 2) != 0)
             {
-                queue.Add(_refracted[ray]);
+                queue.Add(_refracted[ray], Change(_refractedChange, ray));
             }
 
             _present[ray] = 0;
@@ -85,4 +99,6 @@ internal sealed class SecondaryRays(int capacity)
         _layers.Clear();
         _any = false;
     }
+
+    private RayDifferential Change(RayDifferential[] changes, int ray) => hasDifferentials ? changes[ray] : default;
 }

@@ -23,17 +23,18 @@ internal sealed unsafe class SecondaryStage<R, F, I>
         _buffers = buffers;
         _secondary = secondary;
         _counters = counters;
-        _reflected = new SecondaryColumns<R, F, I>(memory, capacity);
-        _refracted = new SecondaryColumns<R, F, I>(memory, capacity);
+        _reflected = new SecondaryColumns<R, F, I>(memory, capacity, buffers.Footprints is not null);
+        _refracted = new SecondaryColumns<R, F, I>(memory, capacity, buffers.Footprints is not null);
     }
 
     /// <summary>Makes the secondary rays of a group.</summary>
     /// <param name="material">The material, which mirrors or transmits.</param>
+    /// <param name="rays">The rays.</param>
     /// <param name="order">Numbers of the rays that hit.</param>
     /// <param name="count">How many.</param>
     /// <param name="weights">Weight of each ray of the batch.</param>
     /// <param name="pixels">Pixel of each ray of the batch.</param>
-    public void Run(CompiledMaterial material, int* order, int count, Intensity[] weights, int[] pixels)
+    public void Run(CompiledMaterial material, RayBatch<R, F, I> rays, int* order, int count, Intensity[] weights, int[] pixels)
     {
         bool isTransparent = !material.Transparency.IsBlack;
         for (int packet = 0; packet * R.Width < count; packet++)
@@ -48,19 +49,25 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             Reflect(packet);
         }
 
+        bool isDifferentiated = _buffers.Footprints is not null;
+        if (isDifferentiated)
+        {
+            Differentiate(material, rays, order, count);
+        }
+
         for (int i = 0; i < count; i++)
         {
             int ray = order[i];
             Intensity reflected = _reflected.Share(i) * weights[ray];
             if (IsFollowed(reflected))
             {
-                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], reflected, pixels[ray]));
+                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], reflected, pixels[ray]), isDifferentiated ? _reflected.Differentials.Take(i) : default);
             }
 
             Intensity refracted = isTransparent ? _refracted.Share(i) * weights[ray] : Intensity.Black;
             if (IsFollowed(refracted))
             {
-                _secondary.Refract(ray, new SecondaryRay(_refracted[i], refracted, pixels[ray]));
+                _secondary.Refract(ray, new SecondaryRay(_refracted[i], refracted, pixels[ray]), isDifferentiated ? _refracted.Differentials.Take(i) : default);
             }
         }
     }
@@ -111,6 +118,40 @@ internal sealed unsafe class SecondaryStage<R, F, I>
         R above = Lane.Dot(x, y, z, gx, gy, gz);
         R lift = R.Select(R.Less(R.Zero, above), R.Zero, R.Of(1e-4) - above);
         _reflected.SetRay(packet, s, s.Slack[packet], R.Fma(lift, gx, x), R.Fma(lift, gy, y), R.Fma(lift, gz, z));
+    }
+
+    /// <summary>How the secondary rays change from sample to sample: they start on the steps of their hits.</summary>
+    private void Differentiate(CompiledMaterial material, RayBatch<R, F, I> rays, int* order, int count)
+    {
+        SurfaceSteps<F> steps = _buffers.Footprints!.Steps;
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            Differentiate(material, packet, run, rays.Differentials.DirectionDx, steps.WorldDx, steps.NormalDx, isDown: false);
+            Differentiate(material, packet, run, rays.Differentials.DirectionDy, steps.WorldDy, steps.NormalDy, isDown: true);
+        }
+    }
+
+    private void Differentiate(
+        CompiledMaterial material, int packet, in LaneRun<I> run, in VectorColumns<F> turn, in VectorColumns<F> step, in VectorColumns<F> bend, bool isDown)
+    {
+        SurfaceBatch<R, F, I> s = _buffers.Surfaces;
+        (F, F, F) d = (R.ToSingle(_buffers.DirectionX[packet]), R.ToSingle(_buffers.DirectionY[packet]), R.ToSingle(_buffers.DirectionZ[packet]));
+        (F, F, F) n = (R.ToSingle(s.ShadingX[packet]), R.ToSingle(s.ShadingY[packet]), R.ToSingle(s.ShadingZ[packet]));
+        (F, F, F) dd = (run.Collect<F, F>(turn.X), run.Collect<F, F>(turn.Y), run.Collect<F, F>(turn.Z));
+        (F, F, F) dn = (bend.X[packet], bend.Y[packet], bend.Z[packet]);
+        (F x, F y, F z) = SecondaryDifferentials.Reflect(d, n, dd, dn);
+        DifferentialColumns<F> reflected = _reflected.Differentials, refracted = _refracted.Differentials;
+        (isDown ? reflected.OriginDy : reflected.OriginDx).Store(packet, step.X[packet], step.Y[packet], step.Z[packet]);
+        (isDown ? reflected.DirectionDy : reflected.DirectionDx).Store(packet, x, y, z);
+        if (!material.Transparency.IsBlack)
+        {
+            F index = material.IndexOfRefraction.Read(_buffers.Texels, packet);
+            F ratio = F.Select(R.MaskToSingle(_buffers.Inside[packet]), index, F.Of(1) / index);
+            (x, y, z) = SecondaryDifferentials.Refract(ratio, d, n, dd, dn);
+            (isDown ? refracted.OriginDy : refracted.OriginDx).Store(packet, step.X[packet], step.Y[packet], step.Z[packet]);
+            (isDown ? refracted.DirectionDy : refracted.DirectionDx).Store(packet, x, y, z);
+        }
     }
 
     private bool IsFollowed(Intensity share)

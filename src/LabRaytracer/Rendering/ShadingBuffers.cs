@@ -9,7 +9,8 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
     /// <param name="scene">The scene, for the number of columns that its materials need.</param>
     /// <param name="memory">Owns the columns.</param>
     /// <param name="capacity">Most hits of a batch.</param>
-    public ShadingBuffers(CompiledScene<R, F, I> scene, LaneMemory memory, int capacity)
+    /// <param name="hasFootprints">Whether rays carry differentials.</param>
+    public ShadingBuffers(CompiledScene<R, F, I> scene, LaneMemory memory, int capacity, bool hasFootprints)
     {
         Surfaces = new SurfaceBatch<R, F, I>(memory, capacity);
         ShadowRays = new RayBatch<R, F, I>(memory, capacity);
@@ -26,6 +27,7 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
             Coordinates[set] = new CoordinateBatch<R> { U = memory.Column<R>(capacity, R.Width), V = memory.Column<R>(capacity, R.Width) };
         }
 
+        Footprints = hasFootprints ? new FootprintBuffers<R, F, I>(memory, capacity, Coordinates.Length) : null;
         Texels = new ColorColumns<F>[Math.Max(1, lists.Max(list => list.Lookups.Count))];
         for (int lookup = 0; lookup < Texels.Length; lookup++)
         {
@@ -50,6 +52,9 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
 
     /// <summary>Texture coordinates, one set a distinct mapping of the material.</summary>
     public CoordinateBatch<R>[] Coordinates { get; }
+
+    /// <summary>What samples cover of surfaces and textures; null if rays carry no differentials: every sample is a point.</summary>
+    public FootprintBuffers<R, F, I>? Footprints { get; }
 
     /// <summary>Texture colours, one set a distinct texture of the material.</summary>
     public ColorColumns<F>[] Texels { get; }

@@ -30,6 +30,12 @@ internal static unsafe class TextureStage
             Map(material.Coordinates[set], buffers.Surfaces.Positions, buffers.Coordinates[set], count, packets);
         }
 
+        bool hasFootprints = buffers.Footprints is not null && material.NeedsFootprints;
+        if (hasFootprints)
+        {
+            FootprintStage.Map(material, buffers, count);
+        }
+
         counters.Mappings += (long)count * material.Coordinates.Count;
         counters.Charge(RenderStage.Map);
         for (int k = 0; k < material.Lookups.Count; k++)
@@ -42,6 +48,12 @@ internal static unsafe class TextureStage
                 lookups.Coordinates = buffers.Coordinates[lookup.Coordinates];
                 lookups.WrapU = mapping.DefaultWrapU;
                 lookups.WrapV = mapping.DefaultWrapV;
+            }
+
+            if (hasFootprints && (lookup.Needs & TextureNeeds.Footprint) != 0)
+            {
+                lookups.Footprints = lookup.Coordinates >= 0 ? buffers.Footprints!.Sets[lookup.Coordinates] : default;
+                lookups.LocalFootprints = buffers.Footprints!.Local;
             }
 
             lookup.Sampler!.Sample<R, F, I>(lookups, buffers.Texels[k], packets);

@@ -26,8 +26,8 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     private readonly SeamMarks? _seams;
     private readonly PixelSampling? _sampling;
     private bool _hasPrimaryOrder;
-    private List<SecondaryRay> _queue = [];
-    private List<SecondaryRay> _next = [];
+    private SecondaryQueue _queue;
+    private SecondaryQueue _next;
 
     /// <param name="scene">The scene.</param>
     /// <param name="options">How it is rendered.</param>
@@ -39,7 +39,9 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         _area = area;
         _sampling = scene.NeedsSampling ? new PixelSampling(options.Seed, Pixels) : null;
         _tracer = new BatchTracer<R, F, I>(scene, options, _memory, new WorkerCounters(), Pixels, _sampling);
-        _rays = new RayBatch<R, F, I>(_memory, Pixels);
+        _rays = new RayBatch<R, F, I>(_memory, Pixels, _tracer.HasDifferentials);
+        _queue = new SecondaryQueue(_tracer.HasDifferentials);
+        _next = new SecondaryQueue(_tracer.HasDifferentials);
         _pixelX = _memory.Column<R>(Pixels, R.Width);
         _pixelY = _memory.Column<R>(Pixels, R.Width);
         _sampleX = _memory.Column<R>(Pixels, R.Width);
@@ -138,6 +140,11 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     {
         _rays.Count = Pixels;
         AimCamera();
+        if (_rays.HasDifferentials)
+        {
+            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options);
+        }
+
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
@@ -161,7 +168,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
 
         for (int i = 0; i < Pixels; i++)
         {
-            Put(_rays, i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
+            _rays.Set(i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
         }
     }
 
@@ -211,23 +218,18 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         for (int i = 0; i < count; i++)
         {
             SecondaryRay secondary = _queue[first + i];
-            Put(_rays, i, secondary.Ray);
+            _rays.Set(i, secondary.Ray);
             R.Put(_rays.Limit, i, double.PositiveInfinity);
+            if (_rays.HasDifferentials)
+            {
+                _rays.Differentials.Put(i, _queue.Differential(first + i), 1);
+            }
+
             _tracer.Weights[i] = secondary.Weight;
             _tracer.Pixels[i] = secondary.Pixel;
         }
 
         _rays.PadTail();
-    }
-
-    private static void Put(RayBatch<R, F, I> rays, int i, in Ray ray)
-    {
-        R.Put(rays.OriginX, i, ray.Origin.X);
-        R.Put(rays.OriginY, i, ray.Origin.Y);
-        R.Put(rays.OriginZ, i, ray.Origin.Z);
-        R.Put(rays.DirectionX, i, ray.Direction.X);
-        R.Put(rays.DirectionY, i, ray.Direction.Y);
-        R.Put(rays.DirectionZ, i, ray.Direction.Z);
     }
 
     /// <summary>Means of the samples into the picture; what is not finite is counted and set to black.</summary>

@@ -62,13 +62,19 @@ internal static unsafe class ViewStage
     public static TextureCoordinate Map<R, F, I>(IMapping mapping, SurfaceBatch<R, F, I> s, int i)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => mapping.Map(Position(s, i));
+
+    /// <summary>What a mapping sees of a point of a batch.</summary>
+    public static SurfacePosition Position<R, F, I>(SurfaceBatch<R, F, I> s, int i)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
         PositionBatch<R> at = s.Positions;
-        return mapping.Map(new SurfacePosition(
+        return new SurfacePosition(
             new Point3D(R.Take(at.X, i), R.Take(at.Y, i), R.Take(at.Z, i)),
             new Vector3D(R.Take(at.NormalX, i), R.Take(at.NormalY, i), R.Take(at.NormalZ, i)),
-            new TextureCoordinate(R.Take(at.SurfaceU, i), R.Take(at.SurfaceV, i))));
+            new TextureCoordinate(R.Take(at.SurfaceU, i), R.Take(at.SurfaceV, i)));
     }
 
     private static Intensity Fractions(TextureCoordinate mapped) =>

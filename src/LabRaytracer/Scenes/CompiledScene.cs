@@ -77,6 +77,9 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     /// <summary>Those of them that cast shadows; null if there are none.</summary>
     public SceneBvh<R, F, I>? AlphaCasters { get; }
 
+    /// <summary>Tells whether some texture is filtered, so that rays must carry differentials.</summary>
+    public bool NeedsDifferentials => Keys.Select(key => key.Material).Append(Background).SelectMany(material => material.AllTextures).Any(list => list.NeedsFootprints);
+
     /// <summary>Bytes of packed shapes and what searches them.</summary>
     public long Bytes => _memory.Bytes;
 

@@ -3,6 +3,9 @@ namespace LabRaytracer;
 /// <summary>A texture that can be made ready for a render.</summary>
 internal interface IPreparedTexture : ITexture
 {
+    /// <summary>What the texture must know of a hit under a filter that overrides its own, or null. Default: the same as without.</summary>
+    TextureNeeds NeedsUnder(TextureFilter? filter) => Needs;
+
     /// <summary>Makes the texture ready: decodes its file, packs its texels.</summary>
     /// <param name="use">What is read of it; alpha only of a texture that has one.</param>
     /// <param name="filter">Filter that overrides the texture's own, or null.</param>

@@ -32,6 +32,9 @@ internal sealed class TexturePreparation(TextureFilter? filter)
         }
     }
 
+    /// <summary>What a texture must know of a hit under the filter of this render.</summary>
+    public TextureNeeds Needs(ITexture texture) => texture is IPreparedTexture prepared ? prepared.NeedsUnder(filter) : texture.Needs;
+
     /// <summary>The texture made ready.</summary>
     public TextureSampler Prepare(ITexture texture, TextureUse use)
     {

@@ -127,5 +127,9 @@ public sealed class RefinementTests
             Counts.Current!.Sharpened++;
             SphereKernel.Sharpen(shape, ray, ref t, ref s);
         }
+
+        public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+            where R : unmanaged, IReal<R>
+            where P : struct, IParameters<R> => SphereKernel.LocalFrame(shape, out frame);
     }
 }
