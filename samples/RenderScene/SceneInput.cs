@@ -75,6 +75,7 @@ internal static class SceneInput
     {
         string? path = cause is PictureFormatException format ? format.Path : ((FileNotFoundException)cause).FileName;
         return scene.Objects.Select(item => item.Material).Distinct().SelectMany(Textures).Append(scene.Background.Texture)
+            .Concat(scene.Lights.OfType<EnvironmentLight>().Select(light => light.Radiance.Texture))
             .OfType<Texture>().FirstOrDefault(texture => texture.Path == path);
     }
 

@@ -26,6 +26,12 @@ internal sealed class SceneReading(SceneTree tree, SceneFolder folder)
     /// <summary>Materials by name; null for one with a mistake in it.</summary>
     public Dictionary<string, Material?> Materials { get; } = new(StringComparer.Ordinal);
 
+    /// <summary>The background, once it is read.</summary>
+    public TextureSlot Background { get; set; } = Intensity.Black;
+
+    /// <summary>How the background is turned, once it is read.</summary>
+    public Transform BackgroundRotation { get; set; } = Transform.Identity;
+
     /// <summary>Notes a mistake; the result is false, for <c>return</c>.</summary>
     public bool Mistake(SceneNode node, string what, string? allowed)
     {

@@ -44,6 +44,14 @@ internal static class LightFormats
 
     private static readonly Key<bool> s_visible = Key.Optional("visible", SwitchFormat.Instance, false, "Whether rays see the lamp.");
 
+    private static readonly Key<TextureSlot> s_sky = Key.Optional(
+        "radiance", SlotFormats.Color, "Linear radiance by direction, as of the background. Default: the scene's background, turned as it is.");
+
+    private static readonly Key<Transform> s_rotation = Key.Optional("rotation", TransformFormats.Any, "Turns the surroundings: steps with rotateDegrees. Default: none.");
+
+    private static readonly Key<int> s_skySamples = Key.Optional(
+        "samples", new IntegerFormat(1, QuadLight.MaxSamples), 32, "Samples at each point; powers of two are best. A constant colour needs none.");
+
     /// <summary>A lamp, told by its type.</summary>
     public static VariantFormat<Light> Any { get; } = new(
         "type",
@@ -53,6 +61,7 @@ internal static class LightFormats
             new("directionalLight", "Parallel light from far away, such as the sun.", [s_direction, s_intensity], Directional, ("type", "directional")),
             new("spotLight", "A cone of light.", [s_position, s_target, s_intensity, s_outer, s_inner, s_attenuation], Spot, ("type", "spot")),
             new("quadLight", "A flat lamp with soft shadows.", [s_corner, s_edgeU, s_edgeV, s_radiance, s_samples, s_sides, s_visible], FlatLamp, ("type", "quad")),
+            new("environmentLight", "Light from all around: every direction has the radiance of a texture.", [s_sky, s_rotation, s_skySamples], Surroundings, ("type", "environment")),
             new("ambientLight", "Light from everywhere, the same at every point.", [s_intensity], fields => new AmbientLight(fields.Get(s_intensity)), ("type", "ambient")),
         ]);
 
@@ -69,6 +78,19 @@ internal static class LightFormats
         },
         "the edges span no area",
         "edges that are not parallel");
+
+    private static EnvironmentLight? Surroundings(Fields fields)
+    {
+        Transform turned = fields.Has(s_sky) ? Transform.Identity : fields.Reading.BackgroundRotation;
+        return fields.Make(
+            s_rotation,
+            () => new EnvironmentLight(fields.Find(s_sky) ?? fields.Reading.Background)
+            {
+                Rotation = fields.Find(s_rotation) ?? turned, Samples = fields.Get(s_skySamples),
+            },
+            TransformFormats.MoreThanRotation,
+            TransformFormats.Rotations);
+    }
 
     private static SpotLight? Spot(Fields fields)
     {

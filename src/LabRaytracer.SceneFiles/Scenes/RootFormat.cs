@@ -12,7 +12,12 @@ internal static class RootFormat
     private static readonly Key<Camera> s_camera = Key.Optional("camera", CameraFormats.Any, "The camera. Default: perspective, from [0, 0, 5] to the origin, 40 degrees.");
 
     private static readonly Key<TextureSlot> s_background = Key.Optional(
-        "background", SlotFormats.Color, Intensity.Black, "What rays see that hit nothing. A texture is mapped by their direction; the default mapping is spherical.");
+        "background", new KeptFormat<TextureSlot>(SlotFormats.Color, (reading, slot) => reading.Background = slot), Intensity.Black, "What rays see that hit nothing. A texture is mapped by their direction; the default mapping is spherical.");
+
+    private static readonly Key<Transform> s_backgroundRotation = Key.Optional(
+        "backgroundRotation",
+        new KeptFormat<Transform>(TransformFormats.Any, (reading, rotation) => reading.BackgroundRotation = rotation),
+        "Turns the background: steps with rotateDegrees. Default: none.");
 
     private static readonly Key<IReadOnlyDictionary<string, ITexture?>> s_textures = Key.Optional("textures", TextureFormats.Map, "Textures by names of your choice.");
 
@@ -27,7 +32,7 @@ internal static class RootFormat
     public static ObjectFormat<LoadedScene> Scene { get; } = new(
         "scene",
         "A scene of LabRaytracer. Lengths are in units of your choice, +Y is up, angles are in degrees, colours are linear unless written \"#rrggbb\".",
-        [s_schema, s_render, s_output, s_camera, s_textures, s_materials, s_background, s_objects, s_lights],
+        [s_schema, s_render, s_output, s_camera, s_textures, s_materials, s_background, s_backgroundRotation, s_objects, s_lights],
         Build);
 
     private static LoadedScene Build(Fields fields)
@@ -36,6 +41,11 @@ internal static class RootFormat
         if (fields.Find(s_camera) is { } camera)
         {
             scene.Camera = camera;
+        }
+
+        if (fields.Find(s_backgroundRotation) is { } rotation)
+        {
+            fields.Make(s_backgroundRotation, () => scene.BackgroundRotation = rotation, TransformFormats.MoreThanRotation, TransformFormats.Rotations);
         }
 
         foreach (SceneObject placed in (fields.Find(s_objects) ?? []).SelectMany(placed => placed))

@@ -3,6 +3,12 @@ namespace LabRaytracer;
 /// <summary>Transforms of scene files: one step, or a list of steps applied from first to last.</summary>
 internal static class TransformFormats
 {
+    /// <summary>What is wrong with a transform where only a rotation is allowed.</summary>
+    public const string MoreThanRotation = "the transform does more than rotate";
+
+    /// <summary>What is allowed there.</summary>
+    public const string Rotations = "steps with rotateDegrees";
+
     private static readonly Key<Vector3D> s_translate = Key.Optional("translate", Coordinates.Vector, "Displacement [x, y, z].");
 
     private static readonly Key<Vector3D> s_scale = Key.Optional(

@@ -25,4 +25,13 @@ internal static class LightChecks
     public static int Samples(int value, [CallerArgumentExpression(nameof(value))] string? name = null) => value is >= 1 and <= QuadLight.MaxSamples
         ? value
         : throw new ArgumentOutOfRangeException(name, value, $"The samples of a light at each point must be in [1, {QuadLight.MaxSamples}].");
+
+    /// <summary>A transform that only rotates.</summary>
+    public static Transform Rotation(Transform value, [CallerArgumentExpression(nameof(value))] string? name = null)
+    {
+        ArgumentNullException.ThrowIfNull(value, name);
+        return value.IsRotation
+            ? value
+            : throw new ArgumentException("The surroundings can only be rotated: a transform made by Transform.Rotation, or several of them.", name);
+    }
 }

@@ -23,6 +23,18 @@ public sealed class Transform
     /// <summary>Tells whether this map is exactly the identity.</summary>
     public bool IsIdentity { get; }
 
+    /// <summary>Tells whether this map is a rotation about an axis through the origin, up to rounding: lengths and handedness stay, nothing is moved.</summary>
+    internal bool IsRotation
+    {
+        get
+        {
+            double[] m = _worldFromObject;
+            Vector3D x = new(m[0], m[1], m[2]), y = new(m[4], m[5], m[6]), z = new(m[8], m[9], m[10]);
+            return m[3] == 0 && m[7] == 0 && m[11] == 0
+                && Math.Abs(x.Length - 1) < 1e-9 && Math.Abs(y.Length - 1) < 1e-9 && (Vector3D.Cross(x, y) - z).Length < 1e-9;
+        }
+    }
+
     /// <summary>The 12 numbers of the 3x4 matrix object to world, row after row (three rows of A, each followed by its b).</summary>
     public ReadOnlySpan<double> WorldFromObjectRows => _worldFromObject;
 

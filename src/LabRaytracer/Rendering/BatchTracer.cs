@@ -39,7 +39,10 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Pixels = new int[capacity];
         Tally = options.View == RenderView.Cost ? new RayTally(Pixels, capacity) : null;
         LampPlaces<R, F, I>? places = sampling is null ? null : new LampPlaces<R, F, I>(sampling, Pixels, memory, capacity);
-        LampSampler<R, F, I> lamps = new(scene, _buffers, places);
+        EnvironmentStage<R, F, I>? skies = scene.Environments.All(environment => environment is null)
+            ? null
+            : new EnvironmentStage<R, F, I>(scene, places!, counters, memory, capacity);
+        LampSampler<R, F, I> lamps = new(scene, _buffers, places, skies);
         _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), counters, memory, capacity);
         _lights = new LightStage<R, F, I>(scene, _buffers, lamps, counters, Tally, AlphaShadows<R, F, I>.Of(scene, counters, memory, capacity));
     }
@@ -91,7 +94,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         if (missed > 0)
         {
             int* order = _groups.Order + _groups.Start[_groups.MissKey];
-            BackgroundStage.Run(_scene.Background, rays, order, missed, _buffers, Counters);
+            BackgroundStage.Run(_scene, rays, order, missed, _buffers, Counters);
             Scatter(order, missed);
         }
 

@@ -4,7 +4,9 @@ namespace LabRaytracer;
 /// <param name="scene">The scene.</param>
 /// <param name="buffers">Surface points; receives the light.</param>
 /// <param name="places">Where samples lie on lamps; null in scenes whose lamps all have one sample.</param>
-internal sealed unsafe class LampSampler<R, F, I>(CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, LampPlaces<R, F, I>? places)
+/// <param name="skies">Draws samples of light from all around; null in scenes without.</param>
+internal sealed unsafe class LampSampler<R, F, I>(
+    CompiledScene<R, F, I> scene, ShadingBuffers<R, F, I> buffers, LampPlaces<R, F, I>? places, EnvironmentStage<R, F, I>? skies)
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -17,7 +19,12 @@ internal sealed unsafe class LampSampler<R, F, I>(CompiledScene<R, F, I> scene, 
     public int Begin(int lamp, int* order, int packets)
     {
         int samples = scene.Lights[lamp].SampleCount;
-        if (samples > 1)
+        if (scene.Environments[lamp] is { Table.IsBlack: true })
+        {
+            return 0;
+        }
+
+        if (samples > 1 || scene.Environments[lamp] is not null)
         {
             places!.Begin(lamp, order, packets);
         }
@@ -36,6 +43,12 @@ internal sealed unsafe class LampSampler<R, F, I>(CompiledScene<R, F, I> scene, 
         if (light is IWideLight wide)
         {
             wide.Sample(buffers.Surfaces, buffers.Light, packets);
+            return;
+        }
+
+        if (scene.Environments[lamp] is { } environment)
+        {
+            skies!.Sample(environment, sample, buffers.Light, count);
             return;
         }
 

@@ -38,6 +38,7 @@ internal sealed unsafe class LightStage<R, F, I>(
     {
         ColorColumns<F> radiance = buffers.Radiance;
         F ambientR = F.Of(scene.Ambient.R), ambientG = F.Of(scene.Ambient.G), ambientB = F.Of(scene.Ambient.B);
+        bool hasEvenSky = scene.EvenSky != Intensity.Black && !material.Diffuse.IsBlack;
         bool hasAmbient = scene.Ambient != Intensity.Black && !material.Ambient.IsBlack;
         for (int packet = 0; packet < packets; packet++)
         {
@@ -64,6 +65,14 @@ internal sealed unsafe class LightStage<R, F, I>(
                 red = F.Fma(kr, ambientR, red);
                 green = F.Fma(kg, ambientG, green);
                 blue = F.Fma(kb, ambientB, blue);
+            }
+
+            if (hasEvenSky)
+            {
+                material.Diffuse.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
+                red = F.Fma(kr, F.Of(scene.EvenSky.R), red);
+                green = F.Fma(kg, F.Of(scene.EvenSky.G), green);
+                blue = F.Fma(kb, F.Of(scene.EvenSky.B), blue);
             }
 
             radiance.R[packet] = red;

@@ -81,6 +81,7 @@ public static class Renderer
         cancellation.ThrowIfCancellationRequested();
         long start = Stopwatch.GetTimestamp();
         using CompiledScene<R, F, I> compiled = new(scene, options.Filter, options.Threads);
+        EnvironmentTabulation<R, F, I>.Run(compiled, options.Threads);
         RenderStatistics statistics = new()
         {
             PrepareSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds,

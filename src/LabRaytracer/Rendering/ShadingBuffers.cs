@@ -20,7 +20,8 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
         DirectionY = memory.Column<R>(capacity, R.Width);
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Inside = memory.Column<R>(capacity, R.Width);
-        LookupList[] lists = [.. scene.Keys.Select(key => key.Material).Append(scene.Background).SelectMany(material => material.AllTextures)];
+        IEnumerable<CompiledMaterial> skies = scene.Environments.OfType<CompiledEnvironment>().Select(environment => environment.Sky);
+        LookupList[] lists = [.. scene.Keys.Select(key => key.Material).Append(scene.Background).Concat(skies).SelectMany(material => material.AllTextures)];
         Coordinates = new CoordinateBatch<R>[Math.Max(1, lists.Max(list => list.Coordinates.Count))];
         for (int set = 0; set < Coordinates.Length; set++)
         {

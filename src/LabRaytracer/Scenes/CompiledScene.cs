@@ -26,7 +26,8 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
         Camera = scene.Camera;
         Textures = new TexturePreparation(filter);
         Textures.PrepareAll(SceneTextures.Used(scene), threads);
-        Background = new CompiledMaterial(new Material { Emission = scene.Background, Diffuse = Intensity.Black, Shader = LambertShader.Default }, new SphericalMapping(), Textures);
+        Background = Sky(scene.Background);
+        BackgroundRotation = scene.BackgroundRotation;
         List<SceneObject> objects = [.. scene.Objects, .. VisibleLamps.Of(scene)];
         int count = objects.Count;
         _memberOfObject = _memory.Column<int>(Math.Max(1, count), 1);
@@ -43,7 +44,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
         _casters = opaque.All(Casts) ? _all : Search([.. opaque.Where(Casts)], threads);
         AlphaSurfaces = alpha.Count == 0 ? null : Search(alpha, threads);
         AlphaCasters = alpha.All(Casts) ? AlphaSurfaces : alpha.Any(Casts) ? Search([.. alpha.Where(Casts)], threads) : null;
-        Lights = [.. scene.Lights.Where(light => light is not AmbientLight)];
+        (Lights, Environments) = PackLights(scene);
         foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
         {
             Ambient += light.Intensity;
@@ -59,11 +60,20 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     /// <summary>What rays see that hit nothing: a material with emission only, mapped by direction.</summary>
     public CompiledMaterial Background { get; }
 
-    /// <summary>Lamps with a direction.</summary>
+    /// <summary>Where a direction of the background lies in the world.</summary>
+    public Transform BackgroundRotation { get; }
+
+    /// <summary>Lamps whose light has a direction.</summary>
     public Light[] Lights { get; }
 
+    /// <summary>Lamp by lamp: what makes it light from all around, or null.</summary>
+    public CompiledEnvironment?[] Environments { get; }
+
+    /// <summary>Sum of all light from around that is the same in every direction: multiplies the diffuse coefficient.</summary>
+    public Intensity EvenSky { get; private set; }
+
     /// <summary>Tells whether rendering takes several samples of something: then pixels need random numbers.</summary>
-    public bool NeedsSampling => Lights.Any(light => light.SampleCount > 1);
+    public bool NeedsSampling => Lights.Any(light => light.SampleCount > 1 || light is EnvironmentLight);
 
     /// <summary>Sum of all ambient light.</summary>
     public Intensity Ambient { get; }
@@ -117,6 +127,29 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
 
     private static SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
         [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads);
+
+    /// <summary>A material that shines by direction and does nothing else.</summary>
+    private CompiledMaterial Sky(TextureSlot radiance) =>
+        new(new Material { Emission = radiance, Diffuse = Intensity.Black, Shader = LambertShader.Default }, new SphericalMapping(), Textures);
+
+    private (Light[] Lights, CompiledEnvironment?[] Environments) PackLights(Scene scene)
+    {
+        List<(Light, CompiledEnvironment?)> packed = [];
+        foreach (Light light in scene.Lights.Where(light => light is not AmbientLight))
+        {
+            CompiledEnvironment? environment = light is EnvironmentLight around ? new CompiledEnvironment(around, Sky(around.Radiance)) : null;
+            if (environment is { IsConstant: true })
+            {
+                EvenSky += environment.Sky.Emission.Value;
+            }
+            else
+            {
+                packed.Add((light, environment));
+            }
+        }
+
+        return ([.. packed.Select(item => item.Item1)], [.. packed.Select(item => item.Item2)]);
+    }
 
     private List<ObjectEntry<R, F, I>> Pack(List<SceneObject> objects)
     {

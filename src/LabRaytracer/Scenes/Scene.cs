@@ -9,6 +9,7 @@ public sealed class Scene
 {
     private Camera _camera = new PerspectiveCamera(new Point3D(0, 0, 5), Point3D.Origin, 40);
     private TextureSlot _background = Intensity.Black;
+    private Transform _backgroundRotation = Transform.Identity;
 
     /// <summary>The camera. Default: perspective, from (0, 0, 5) to the origin, 40 degrees.</summary>
     public Camera Camera
@@ -31,6 +32,14 @@ public sealed class Scene
     {
         get => _background;
         set => _background = value ?? throw new ArgumentNullException(nameof(value));
+    }
+
+    /// <summary>Turns the background about an axis through the origin: where a direction of the picture lies in the world. Default: not turned.</summary>
+    /// <exception cref="ArgumentException">The transform moves, scales or mirrors.</exception>
+    public Transform BackgroundRotation
+    {
+        get => _backgroundRotation;
+        set => _backgroundRotation = LightChecks.Rotation(value);
     }
 
     /// <summary>Adds an object and returns it.</summary>

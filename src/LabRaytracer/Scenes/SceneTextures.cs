@@ -7,7 +7,8 @@ internal static class SceneTextures
     public static IEnumerable<(ITexture Texture, TextureUse Use)> Used(Scene scene)
     {
         Material[] materials = [.. scene.Objects.Select(item => item.Material).Distinct()];
-        return materials.SelectMany(Colors).Concat(materials.SelectMany(Numbers)).Concat(Colors(scene.Background, null));
+        return materials.SelectMany(Colors).Concat(materials.SelectMany(Numbers)).Concat(Colors(scene.Background, null))
+            .Concat(scene.Lights.OfType<EnvironmentLight>().SelectMany(light => Colors(light.Radiance, null)));
     }
 
     private static IEnumerable<(ITexture Texture, TextureUse Use)> Colors(Material material)

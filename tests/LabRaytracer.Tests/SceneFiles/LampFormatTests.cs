@@ -19,7 +19,32 @@ public sealed class LampFormatTests
         Assert.Equal((Intensity.White, 16, LightSides.Front, false), (light.Radiance, light.Samples, light.Sides, light.IsVisible));
     }
 
+    [Fact]
+    public void Read_EnvironmentLight_IsTaken()
+    {
+        EnvironmentLight light = Light<EnvironmentLight>(
+            """{ "type": "environment", "radiance": { "texture": { "type": "grid" }, "value": 3 }, "rotation": { "rotateDegrees": 90 }, "samples": 64 }""");
+        Assert.IsType<GridTexture>(light.Radiance.Texture);
+        Assert.Equal((Intensity.Grey(3), 64), (light.Radiance.Value, light.Samples));
+        Assert.Equal(Vector3D.UnitX, light.Rotation.WorldFromObject(Vector3D.UnitZ));
+    }
+
+    [Fact]
+    public void Read_EnvironmentLightWithoutRadiance_IsTheLightOfTheBackground()
+    {
+        Scene scene = SceneText.Read(
+            """{ "lights": [ { "type": "environment" } ], "backgroundRotation": { "rotateDegrees": 90 }, "background": { "texture": { "type": "grid" } } }""").Scene;
+        EnvironmentLight light = Assert.IsType<EnvironmentLight>(scene.Lights[0]);
+        Assert.Same(scene.Background, light.Radiance);
+        Assert.Same(scene.BackgroundRotation, light.Rotation);
+        Assert.Equal((32, Vector3D.UnitX), (light.Samples, scene.BackgroundRotation.WorldFromObject(Vector3D.UnitZ)));
+    }
+
     [Theory]
+    [InlineData("""{"backgroundRotation": {"scale": 2}}""", "1:24: backgroundRotation: the transform does more than rotate; allowed: steps with rotateDegrees")]
+    [InlineData("""{"backgroundRotation": 90}""", "1:24: backgroundRotation: the number 90 does not fit; allowed: a step { translate | scale | rotateDegrees, axis | matrix } or a list of steps")]
+    [InlineData("""{"lights": [{"type": "environment", "rotation": {"translate": [1, 0, 0]}}]}""", "1:49: lights[0].rotation: the transform does more than rotate; allowed: steps with rotateDegrees")]
+    [InlineData("""{"lights": [{"type": "environment", "radiance": "sky"}]}""", "1:49: lights[0].radiance: there is no texture 'sky'; allowed: names in 'textures', which is empty")]
     [InlineData("""{"lights": [{"type": "quad", "corner": [0, 1, 0], "edgeU": [1, 0, 0], "edgeV": [2, 0, 0]}]}""", "1:60: lights[0].edgeU: the edges span no area; allowed: edges that are not parallel")]
     [InlineData("""{"lights": [{"type": "quad", "corner": [0, 1, 0], "edgeU": [1, 0, 0]}]}""", "1:13: lights[0]: the key 'edgeV' is missing; allowed: three numbers [x, y, z], not all 0")]
     [InlineData("""{"lights": [{"type": "quad", "corner": [0, 1, 0], "edgeU": [1, 0, 0], "edgeV": [0, 0, 1], "samples": 0}]}""", "1:102: lights[0].samples: the number 0 does not fit; allowed: a whole number from 1 to 4096")]

@@ -9,8 +9,8 @@ public sealed class SceneFileMistakeTests
     private const string File = "the path of a picture in the scene's folder or below, with '/' between folders";
 
     [Theory]
-    [InlineData("""{"rendr": {}}""", "1:2: rendr: unknown key, did you mean 'render'; allowed: $schema, background, camera, lights, materials, objects, output, render, textures")]
-    [InlineData("""{"zzzzzz": 1}""", "1:2: zzzzzz: unknown key; allowed: $schema, background, camera, lights, materials, objects, output, render, textures")]
+    [InlineData("""{"rendr": {}}""", "1:2: rendr: unknown key, did you mean 'render'; allowed: $schema, background, backgroundRotation, camera, lights, materials, objects, output, render, textures")]
+    [InlineData("""{"zzzzzz": 1}""", "1:2: zzzzzz: unknown key; allowed: $schema, background, backgroundRotation, camera, lights, materials, objects, output, render, textures")]
     [InlineData("""{"render": {"width": "wide"}}""", "1:22: render.width: the text 'wide' does not fit; allowed: a whole number from 1 to 1048576")]
     [InlineData("""{"render": {"width": 0}}""", "1:22: render.width: the number 0 does not fit; allowed: a whole number from 1 to 1048576")]
     [InlineData("""{"render": {"height": 2.5}}""", "1:23: render.height: the number 2.5 does not fit; allowed: a whole number from 1 to 1048576")]
@@ -65,7 +65,7 @@ public sealed class SceneFileMistakeTests
     [InlineData("""{"objects": [{"shape": "box", "opposite": [-1, 1, 1]}]}""", "1:43: objects[0].opposite: the box is flat or too large; allowed: corners that differ in every coordinate")]
     [InlineData("""{"lights": [{"type": "point", "position": [0, 1, 0], "attenuation": [0, 0, 0]}]}""", "1:69: lights[0].attenuation: a list of 3 values does not fit; allowed: three numbers [constant, linear, quadratic] of at least 0, not all 0")]
     [InlineData("""{"lights": [{"type": "spot", "position": [0, 1, 0], "target": [0, 0, 0], "outerDegrees": 20, "innerDegrees": 30}]}""", "1:110: lights[0].innerDegrees: the inner angle is larger than the outer; allowed: angles up to outerDegrees")]
-    [InlineData("""[1]""", "1:1: a list of 1 value does not fit; allowed: an object { $schema, background, camera, lights, materials, objects, output, render, textures }")]
+    [InlineData("""[1]""", "1:1: a list of 1 value does not fit; allowed: an object { $schema, background, backgroundRotation, camera, lights, materials, objects, output, render, textures }")]
     public void Read_OneMistake_IsOneLine(string json, string expected) => Assert.Equal("s.json:" + expected, SceneText.Message(json));
 
     [Theory]
