@@ -8,6 +8,9 @@ internal static class SkyPicture
     /// <summary>Where the sun stands.</summary>
     private const float SunU = 0.62f, SunV = 0.585f;
 
+    /// <summary>Radius of the bright sun, as a part of the height of the picture: 1.1 degrees.</summary>
+    private const float SunRadius = 0.006f;
+
     /// <summary>The colour in a direction: u around, v from the nadir to the zenith.</summary>
     public static Intensity ColorAt(float u, float v)
     {
@@ -16,6 +19,13 @@ internal static class SkyPicture
         Intensity mountains = Intensity.Lerp(new Intensity(0.1f, 0.13f, 0.22f), new Intensity(0.3f, 0.26f, 0.3f), (v - 0.47f) * 8);
         Intensity far = Intensity.Lerp(Sky(u, v), mountains, Below(v, ridge));
         return Intensity.Lerp(far, Ground(u, v, hills), Below(v, hills));
+    }
+
+    /// <summary>The same with the sun as bright as it has to be to light the landscape: for a picture of floats.</summary>
+    public static Intensity RadianceAt(float u, float v)
+    {
+        float du = (u - SunU) * 2, dv = v - SunV;
+        return ColorAt(u, v) + ((du * du) + (dv * dv) < SunRadius * SunRadius ? new Intensity(5200, 3900, 2500) : Intensity.Black);
     }
 
     /// <summary>1 below a height, 0 above it, over three texels in between: an edge that shows no steps when it is magnified.</summary>

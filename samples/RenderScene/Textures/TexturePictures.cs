@@ -14,6 +14,7 @@ internal static class TexturePictures
         ["bricks.png"] = () => Draw(512, 256, Bricks),
         ["spots.png"] = () => Draw(512, 256, Spots),
         ["sky.png"] = () => Draw(2048, 1024, SkyPicture.ColorAt),
+        ["evening.hdr"] = () => Draw(512, 256, SkyPicture.RadianceAt),
     };
 
     /// <summary>Draws a picture of a colour function of (u, v), v up: the mean of 3 x 3 points in each texel.</summary>

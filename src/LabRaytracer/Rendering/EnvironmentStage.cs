@@ -74,7 +74,7 @@ internal sealed unsafe class EnvironmentStage<R, F, I>
             at.X[packet] = at.NormalX[packet] = x;
             at.Y[packet] = at.NormalY[packet] = y;
             at.Z[packet] = at.NormalZ[packet] = z;
-            (x, y, z) = isTurned ? Turn.Apply(rotation.WorldFromObjectRows, x, y, z) : (x, y, z);
+            (x, y, z) = isTurned ? DirectionTurn.Apply(rotation.WorldFromObjectRows, x, y, z) : (x, y, z);
             light.DirectionX[packet] = x;
             light.DirectionY[packet] = y;
             light.DirectionZ[packet] = z;

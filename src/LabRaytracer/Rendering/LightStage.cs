@@ -37,7 +37,6 @@ internal sealed unsafe class LightStage<R, F, I>(
     private void Begin(CompiledMaterial material, int packets)
     {
         ColorColumns<F> radiance = buffers.Radiance;
-        F ambientR = F.Of(scene.Ambient.R), ambientG = F.Of(scene.Ambient.G), ambientB = F.Of(scene.Ambient.B);
         bool hasEvenSky = scene.EvenSky != Intensity.Black && !material.Diffuse.IsBlack;
         bool hasAmbient = scene.Ambient != Intensity.Black && !material.Ambient.IsBlack;
         for (int packet = 0; packet < packets; packet++)
@@ -53,26 +52,12 @@ internal sealed unsafe class LightStage<R, F, I>(
 
             if (hasAmbient)
             {
-                material.Ambient.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
-                if (material.IsOccluded)
-                {
-                    F open = material.Occlusion.Read(buffers.Texels, packet);
-                    kr *= open;
-                    kg *= open;
-                    kb *= open;
-                }
-
-                red = F.Fma(kr, ambientR, red);
-                green = F.Fma(kg, ambientG, green);
-                blue = F.Fma(kb, ambientB, blue);
+                AddEven(material, material.Ambient, scene.Ambient, packet, ref red, ref green, ref blue);
             }
 
             if (hasEvenSky)
             {
-                material.Diffuse.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
-                red = F.Fma(kr, F.Of(scene.EvenSky.R), red);
-                green = F.Fma(kg, F.Of(scene.EvenSky.G), green);
-                blue = F.Fma(kb, F.Of(scene.EvenSky.B), blue);
+                AddEven(material, material.Diffuse, scene.EvenSky, packet, ref red, ref green, ref blue);
             }
 
             radiance.R[packet] = red;
@@ -84,6 +69,24 @@ internal sealed unsafe class LightStage<R, F, I>(
         {
             AddLightMap(material, packets);
         }
+    }
+
+    /// <summary>Adds light that is the same from everywhere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void AddEven(CompiledMaterial material, in CompiledSlot slot, Intensity light, int packet, ref F red, ref F green, ref F blue)
+    {
+        slot.Read(buffers.Texels, packet, out F kr, out F kg, out F kb);
+        if (material.IsOccluded)
+        {
+            F open = material.Occlusion.Read(buffers.Texels, packet);
+            kr *= open;
+            kg *= open;
+            kb *= open;
+        }
+
+        red = F.Fma(kr, F.Of(light.R), red);
+        green = F.Fma(kg, F.Of(light.G), green);
+        blue = F.Fma(kb, F.Of(light.B), blue);
     }
 
     /// <summary>Adds the light that was computed beforehand.</summary>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Rotations of directions in lanes.</summary>
-internal static class Turn
+internal static class DirectionTurn
 {
     /// <summary>The product of the linear part of a matrix with vectors.</summary>
     /// <param name="rows">12 numbers, row after row of four.</param>
