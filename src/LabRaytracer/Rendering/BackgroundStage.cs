@@ -28,7 +28,7 @@ internal static unsafe class BackgroundStage
 
             if (buffers.Footprints is not null)
             {
-                FootprintStage.StepBackground(rays, order, count, buffers);
+                FootprintStage.StepBackground(rays, order, count, scene.BackgroundRotation, buffers);
             }
 
             TextureStage.Run(background, buffers, count, counters);

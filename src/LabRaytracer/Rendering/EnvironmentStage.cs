@@ -19,7 +19,7 @@ internal sealed unsafe class EnvironmentStage<R, F, I>
     {
         _places = places;
         _counters = counters;
-        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity);
+        _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, hasFootprints: false);
         _turns = memory.Column<R>(capacity, R.Width);
         _cosine = memory.Column<R>(capacity, R.Width);
         _weight = memory.Column<R>(capacity, R.Width);

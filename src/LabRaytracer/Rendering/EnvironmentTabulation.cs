@@ -32,7 +32,7 @@ internal static unsafe class EnvironmentTabulation<R, F, I>
         Parallel.For(0, threads, new ParallelOptions { MaxDegreeOfParallelism = threads }, _ =>
         {
             using LaneMemory memory = new();
-            ShadingBuffers<R, F, I> buffers = new(scene, memory, Chunk);
+            ShadingBuffers<R, F, I> buffers = new(scene, memory, Chunk, hasFootprints: false);
             WorkerCounters counters = new();
             for (int row = Interlocked.Increment(ref next); row < lattice.Rows; row = Interlocked.Increment(ref next))
             {

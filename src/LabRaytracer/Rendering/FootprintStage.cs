@@ -46,8 +46,9 @@ internal static unsafe class FootprintStage
         group.Differentiate(rays, hits, order, count, memberOfObject, s, steps, needs);
     }
 
-    /// <summary>Steps on the background, whose local point is the ray's direction.</summary>
-    public static void StepBackground<R, F, I>(RayBatch<R, F, I> rays, int* order, int count, ShadingBuffers<R, F, I> buffers)
+    /// <summary>Steps on the background, whose local point is the ray's direction, turned back.</summary>
+    public static void StepBackground<R, F, I>(
+        RayBatch<R, F, I> rays, int* order, int count, Transform rotation, ShadingBuffers<R, F, I> buffers)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -57,9 +58,18 @@ internal static unsafe class FootprintStage
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
-            steps.LocalDx.Store(packet, run.Collect<F, F>(d.DirectionDx.X), run.Collect<F, F>(d.DirectionDx.Y), run.Collect<F, F>(d.DirectionDx.Z));
-            steps.LocalDy.Store(packet, run.Collect<F, F>(d.DirectionDy.X), run.Collect<F, F>(d.DirectionDy.Y), run.Collect<F, F>(d.DirectionDy.Z));
+            TurnBack(packet, run, rotation, d.DirectionDx, steps.LocalDx);
+            TurnBack(packet, run, rotation, d.DirectionDy, steps.LocalDy);
         }
+    }
+
+    private static void TurnBack<F, I>(int packet, in LaneRun<I> run, Transform rotation, in VectorColumns<F> direction, in VectorColumns<F> result)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        F x = run.Collect<F, F>(direction.X), y = run.Collect<F, F>(direction.Y), z = run.Collect<F, F>(direction.Z);
+        (x, y, z) = rotation.IsIdentity ? (x, y, z) : DirectionTurn.Apply(rotation.ObjectFromWorldRows, x, y, z);
+        result.Store(packet, x, y, z);
     }
 
     /// <summary>Footprints of the coordinate sets that some filter reads.</summary>
