@@ -33,10 +33,10 @@ public class BvhBenchmarks
     }
 
     [Benchmark(Baseline = true), BenchmarkCategory("build")]
-    public long BuildOneThread() => new MeshTree(_mesh.Data, null, 1).Bytes;
+    public long BuildOneThread() => new MeshTree(_mesh.Data, null, _mesh.Bounds, 1).Bytes;
 
     [Benchmark, BenchmarkCategory("build")]
-    public long BuildTwoThreads() => new MeshTree(_mesh.Data, null, 2).Bytes;
+    public long BuildTwoThreads() => new MeshTree(_mesh.Data, null, _mesh.Bounds, 2).Bytes;
 
     [Benchmark(Baseline = true, OperationsPerInvoke = Rays), BenchmarkCategory("primary rays")]
     public void NearestFloat16() => _floats16.Nearest();

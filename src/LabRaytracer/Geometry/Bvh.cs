@@ -72,13 +72,13 @@ internal sealed unsafe class Bvh : IDisposable
             return new Bvh(Point3D.Origin, 0, 0);
         }
 
-        Point3D center = CenterOf(items);
+        Point3D center = CenterOf(items.All);
         BvhReference* references = (BvhReference*)NativeMemory.AlignedAlloc((nuint)count * (nuint)sizeof(BvhReference), 64);
         BvhNode* sparse = (BvhNode*)NativeMemory.AlignedAlloc(2 * (nuint)count * (nuint)sizeof(BvhNode), 64);
         try
         {
-            BvhReferences.Fill(items, center, references, threads);
-            int nodeCount = new BvhBuilder(references, sparse, cost, threads).Build(count);
+            BvhRange all = BvhReferences.Fill(items, center, references, threads);
+            int nodeCount = new BvhBuilder(references, sparse, cost, threads).Build(all);
             Bvh tree = new(center, count, nodeCount);
             BvhBuilder.Compact(sparse, tree.Nodes);
             for (int i = 0; i < count; i++)
@@ -107,17 +107,7 @@ internal sealed unsafe class Bvh : IDisposable
     }
 
     /// <summary>The middle of all items where they are far from the origin, else the origin, where nothing is lost by the subtraction.</summary>
-    private static Point3D CenterOf<TItems>(TItems items)
-        where TItems : struct, IBvhItems
-    {
-        Bounds all = Bounds.Empty;
-        for (int item = 0; item < items.Count; item++)
-        {
-            all = Bounds.Union(all, items.BoundsOf(item));
-        }
-
-        return new Point3D(Middle(all.Min.X, all.Max.X), Middle(all.Min.Y, all.Max.Y), Middle(all.Min.Z, all.Max.Z));
-    }
+    private static Point3D CenterOf(in Bounds all) => new(Middle(all.Min.X, all.Max.X), Middle(all.Min.Y, all.Max.Y), Middle(all.Min.Z, all.Max.Z));
 
     private static double Middle(double min, double max)
     {

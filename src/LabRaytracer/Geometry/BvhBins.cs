@@ -3,30 +3,34 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Equal slices of the box of the items' centres, along each axis.</summary>
-internal readonly unsafe struct BvhBins
+internal unsafe struct BvhBins
 {
-    private readonly Float4 _start, _scale;
     private readonly int _count;
+    private Float4 _start, _scale;
 
     /// <summary>Slices the centres of a range.</summary>
     public BvhBins(in BvhRange range, int count)
     {
-        _start = range.Centers.Min;
+        _start = range.MinCenter;
         _count = count;
 
         // Just below the count, so that the largest centre falls into the last bin; a flat axis has all centres in bin 0.
-        Float4 size = Float4.Max(range.Centers.Max - _start, Float4.Of(1e-30f));
+        Float4 size = Float4.Max(range.MaxCenter - _start, Float4.Of(1e-30f));
         _scale = Float4.Of(0.9999f * count) / size;
     }
 
-    /// <summary>The bin of an item along an axis.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int BinOf(BvhReference* reference, int axis) => Int4.Get(BinsOf(*(Float4*)&reference->MinX, *(Float4*)&reference->MaxX), axis);
+    /// <summary>Where the slices of an axis start, in twice the items' coordinates.</summary>
+    public float Start(int axis) => Unsafe.Add(ref Unsafe.As<Float4, float>(ref _start), axis);
+
+    /// <summary>Slices in a unit of length, of twice the items' coordinates.</summary>
+    public float Scale(int axis) => Unsafe.Add(ref Unsafe.As<Float4, float>(ref _scale), axis);
 
     /// <summary>Boxes and counts of the bins: first those of x, then y, then z.</summary>
-    public void Fill(BvhReference* references, in BvhRange range, BvhBox* boxes, int* counts)
+    public readonly void Fill(BvhReference* references, in BvhRange range, BvhBox* boxes, int* counts)
     {
-        for (int bin = 0; bin < 3 * _count; bin++)
+        Float4 start = _start, scale = _scale;
+        int bins = _count;
+        for (int bin = 0; bin < 3 * bins; bin++)
         {
             boxes[bin] = BvhBox.Empty;
             counts[bin] = 0;
@@ -35,18 +39,15 @@ internal readonly unsafe struct BvhBins
         BvhReference* end = references + range.First + range.Count;
         for (BvhReference* reference = references + range.First; reference < end; reference++)
         {
-            Float4 min = *(Float4*)&reference->MinX, max = *(Float4*)&reference->MaxX;
-            Int4 bins = BinsOf(min, max);
-            int x = Int4.Get(bins, 0), y = Int4.Get(bins, 1) + _count, z = Int4.Get(bins, 2) + (2 * _count);
-            boxes[x].Include(min, max);
-            boxes[y].Include(min, max);
-            boxes[z].Include(min, max);
+            Float8 reach = BvhReference.ReachOf(reference);
+            Int4 number = Float4.ToInt32((BvhRange.CenterOf(reach) - start) * scale);
+            int x = Int4.Get(number, 0), y = Int4.Get(number, 1) + bins, z = Int4.Get(number, 2) + (2 * bins);
+            boxes[x].Include(reach);
+            boxes[y].Include(reach);
+            boxes[z].Include(reach);
             counts[x]++;
             counts[y]++;
             counts[z]++;
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Int4 BinsOf(Float4 min, Float4 max) => Float4.ToInt32((min + max - _start) * _scale);
 }

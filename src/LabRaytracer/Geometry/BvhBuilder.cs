@@ -35,22 +35,16 @@ internal sealed unsafe class BvhBuilder
         }
     }
 
-    /// <summary>Builds the tree over the first items; returns its number of nodes, the unused one included.</summary>
-    public int Build(int count)
+    /// <summary>Builds the tree over a range of all items; returns its number of nodes, the unused one included.</summary>
+    public int Build(in BvhRange all)
     {
-        BvhRange all = BvhRange.Empty(0);
-        for (int i = 0; i < count; i++)
-        {
-            BvhSplit.Append(ref all, _references + i);
-        }
-
-        if (_tasks == null || count <= TaskItems)
+        if (_tasks == null || all.Count <= TaskItems)
         {
             _nodeCount += Split(0, all, 0);
         }
         else
         {
-            _tasks.StartNew(() => Interlocked.Add(ref _nodeCount, Split(0, all, 0))).Wait();
+            StartTask(0, all, 0).Wait();
         }
 
         return _nodeCount;
@@ -83,8 +77,9 @@ internal sealed unsafe class BvhBuilder
     }
 
     /// <summary>Writes the node of a range and all below it; returns how many nodes were made below it by this thread.</summary>
-    private int Split(int slot, BvhRange range, int depth)
+    private int Split(int slot, in BvhRange whole, int depth)
     {
+        BvhRange range = whole;
         int made = 0;
         while (true)
         {
@@ -114,8 +109,11 @@ internal sealed unsafe class BvhBuilder
         }
     }
 
-    private void StartTask(int slot, BvhRange range, int depth) =>
-        _tasks!.StartNew(() => Interlocked.Add(ref _nodeCount, Split(slot, range, depth)));
+    private Task StartTask(int slot, in BvhRange range, int depth)
+    {
+        BvhRange own = range;
+        return _tasks!.StartNew(() => Interlocked.Add(ref _nodeCount, Split(slot, own, depth)));
+    }
 
     /// <summary>Divides a range in two, or tells that it is a leaf.</summary>
     private bool Divide(in BvhRange range, int depth, out BvhRange left, out BvhRange right, out int axis)
@@ -155,8 +153,8 @@ internal sealed unsafe class BvhBuilder
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Store(BvhNode* node, in BvhRange range)
     {
-        *(Float4*)&node->MinX = range.Box.Min;
-        *(Float4*)&node->MaxX = range.Box.Max;
+        *(Float4*)&node->MinX = -Float8.Lower(range.Box.Reach);
+        *(Float4*)&node->MaxX = Float8.Upper(range.Box.Reach);
         node->First = range.First;
         node->Count = range.Count;
     }

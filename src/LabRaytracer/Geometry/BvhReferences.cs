@@ -1,53 +1,48 @@
 namespace LabRaytracer;
 
-/// <summary>Boxes of items in floats, rounded outward.</summary>
+/// <summary>Writes the references of all items, several threads at a time.</summary>
 internal static unsafe class BvhReferences
 {
     private const int Chunk = 16384;
 
-    /// <summary>Writes one reference an item.</summary>
-    public static void Fill<TItems>(TItems items, Point3D center, BvhReference* references, int threads)
+    /// <summary>Writes one reference an item; returns the range of them all.</summary>
+    public static BvhRange Fill<TItems>(TItems items, Point3D center, BvhReference* references, int threads)
         where TItems : struct, IBvhItems
     {
         int count = items.Count;
-        int chunks = (count + Chunk - 1) / Chunk;
-        if (threads == 1 || chunks == 1)
+        items.Prepare(center);
+        BvhRange[] parts = new BvhRange[(count + Chunk - 1) / Chunk];
+        if (threads == 1 || parts.Length == 1)
         {
-            FillRange(items, center, references, 0, count);
-            return;
+            for (int part = 0; part < parts.Length; part++)
+            {
+                FillPart(items, center, references, part, out parts[part]);
+            }
+        }
+        else
+        {
+            ParallelOptions options = new() { MaxDegreeOfParallelism = threads };
+            Parallel.For(0, parts.Length, options, part => FillPart(items, center, references, part, out parts[part]));
         }
 
-        ParallelOptions options = new() { MaxDegreeOfParallelism = threads };
-        Parallel.For(0, chunks, options, chunk => FillRange(items, center, references, chunk * Chunk, Math.Min(count, (chunk + 1) * Chunk)));
+        BvhRange all = BvhRange.Empty(0);
+        for (int part = 0; part < parts.Length; part++)
+        {
+            all.Append(parts[part]);
+        }
+
+        return all;
     }
 
-    private static void FillRange<TItems>(TItems items, Point3D center, BvhReference* references, int first, int end)
+    private static void FillPart<TItems>(TItems items, Point3D center, BvhReference* references, int part, out BvhRange range)
         where TItems : struct, IBvhItems
     {
+        int first = part * Chunk, end = Math.Min(items.Count, first + Chunk);
+        items.Describe(center, references, first, end);
+        range = BvhRange.Empty(first);
         for (int item = first; item < end; item++)
         {
-            Bounds bounds = items.BoundsOf(item);
-            BvhReference* reference = references + item;
-            reference->MinX = Below(bounds.Min.X, center.X);
-            reference->MinY = Below(bounds.Min.Y, center.Y);
-            reference->MinZ = Below(bounds.Min.Z, center.Z);
-            reference->MaxX = -Below(-bounds.Max.X, -center.X);
-            reference->MaxY = -Below(-bounds.Max.Y, -center.Y);
-            reference->MaxZ = -Below(-bounds.Max.Z, -center.Z);
-            reference->Number = item;
+            range.Append(references + item);
         }
-    }
-
-    /// <summary>A float not above value - center; a further step down covers the rounding of the subtraction.</summary>
-    private static float Below(double value, double center)
-    {
-        double difference = value - center;
-        float below = (float)difference;
-        if (below > difference)
-        {
-            below = MathF.BitDecrement(below);
-        }
-
-        return center == 0 ? below : MathF.BitDecrement(below);
     }
 }

@@ -5,7 +5,8 @@ namespace LabRaytracer;
 /// <summary>A plane between bins that divides items in two.</summary>
 internal unsafe struct BvhSplit
 {
-    private const int Bins = 16;
+    // More bins than this find hardly better planes; few items need few.
+    private const int Bins = 16, FewBins = 4, ItemsOfBin = 16;
     private BvhBins _bins;
     private int _lastLeftBin;
 
@@ -18,24 +19,13 @@ internal unsafe struct BvhSplit
     /// <summary>Half area times number of items, summed over both sides.</summary>
     public float Cost { get; private set; }
 
-    /// <summary>Adds an item to a range.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Append(ref BvhRange range, BvhReference* reference)
-    {
-        Float4 min = *(Float4*)&reference->MinX, max = *(Float4*)&reference->MaxX;
-        Float4 center = min + max;
-        range.Box.Include(min, max);
-        range.Centers.Include(center, center);
-        range.Count++;
-    }
-
     /// <summary>The cheapest plane between the bins of any axis.</summary>
     [SkipLocalsInit]
     public static BvhSplit Find(BvhReference* references, in BvhRange range)
     {
         BvhSplit best = default;
         best.Cost = float.PositiveInfinity;
-        int bins = range.Count < 64 ? Bins / 2 : Bins;
+        int bins = Math.Min(Bins, FewBins + (range.Count / ItemsOfBin));
         best._bins = new BvhBins(range, bins);
         BvhBox* boxes = stackalloc BvhBox[3 * Bins];
         int* counts = stackalloc int[3 * Bins];
@@ -49,21 +39,23 @@ internal unsafe struct BvhSplit
     }
 
     /// <summary>Moves the items of the left side before those of the right side.</summary>
-    public readonly void Partition(BvhReference* references, in BvhRange range, out BvhRange left, out BvhRange right)
+    public void Partition(BvhReference* references, in BvhRange range, out BvhRange left, out BvhRange right)
     {
         BvhRange low = BvhRange.Empty(range.First), high = BvhRange.Empty(0);
         BvhReference* first = references + range.First;
         BvhReference* last = first + range.Count - 1;
+        int axis = Axis, lastLeft = _lastLeftBin;
+        float start = _bins.Start(axis), scale = _bins.Scale(axis);
         while (true)
         {
-            while (first <= last && _bins.BinOf(first, Axis) <= _lastLeftBin)
+            while (first <= last && BinOf(first, axis, start, scale) <= lastLeft)
             {
-                Append(ref low, first++);
+                low.Append(first++);
             }
 
-            while (first <= last && _bins.BinOf(last, Axis) > _lastLeftBin)
+            while (first <= last && BinOf(last, axis, start, scale) > lastLeft)
             {
-                Append(ref high, last--);
+                high.Append(last--);
             }
 
             if (first >= last)
@@ -87,14 +79,19 @@ internal unsafe struct BvhSplit
         right = BvhRange.Empty(range.First + half);
         for (int i = 0; i < half; i++)
         {
-            Append(ref left, references + range.First + i);
+            left.Append(references + range.First + i);
         }
 
         for (int i = half; i < range.Count; i++)
         {
-            Append(ref right, references + range.First + i);
+            right.Append(references + range.First + i);
         }
     }
+
+    /// <summary>The bin of an item along an axis: the same operations as when the bins were filled.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int BinOf(BvhReference* reference, int axis, float start, float scale) =>
+        (int)(((&reference->MaxX)[axis] - (&reference->NegativeMinX)[axis] - start) * scale);
 
     /// <summary>Tries the planes of one axis, from both ends at once.</summary>
     [SkipLocalsInit]
@@ -106,7 +103,7 @@ internal unsafe struct BvhSplit
         int count = 0;
         for (int bin = bins - 1; bin > 0; bin--)
         {
-            side.Include(boxes[bin].Min, boxes[bin].Max);
+            side.Include(boxes[bin].Reach);
             count += counts[bin];
             rightCount[bin] = count;
             rightCost[bin] = count == 0 ? 0 : side.HalfArea * count;
@@ -116,7 +113,7 @@ internal unsafe struct BvhSplit
         count = 0;
         for (int bin = 0; bin < bins - 1; bin++)
         {
-            side.Include(boxes[bin].Min, boxes[bin].Max);
+            side.Include(boxes[bin].Reach);
             count += counts[bin];
             if (count == 0 || rightCount[bin + 1] == 0)
             {

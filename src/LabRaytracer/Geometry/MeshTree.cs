@@ -4,22 +4,29 @@ namespace LabRaytracer;
 /// <remarks>Immutable, thread safe.</remarks>
 internal sealed unsafe class MeshTree
 {
+    private const int Chunk = 16384;
     private readonly LaneMemory _memory = new();
 
     /// <summary>Builds the tree of a mesh.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="kept">Numbers of the triangles that rays may hit; null for all.</param>
+    /// <param name="bounds">The box of those triangles.</param>
     /// <param name="threads">Threads that may work on it, at least 1.</param>
-    public MeshTree(MeshData mesh, int[]? kept, int threads)
+    public MeshTree(MeshData mesh, int[]? kept, Bounds bounds, int threads)
     {
-        Boxes = Bvh.Build(new Items(mesh, kept), new BvhCost(ItemCost: 0.7f, MaximumLeaf: 4), threads, out int[] order);
+        using LaneMemory temporary = new();
+        Boxes = Bvh.Build(new MeshItems(mesh, kept, bounds, temporary, threads), new BvhCost(ItemCost: 0.7f, MaximumLeaf: 4), threads, out int[] order);
         Triangles = _memory.Column<MeshTriangle>(Boxes.ItemCount, 1);
-        for (int i = 0; i < Boxes.ItemCount; i++)
+        MeshTriangle* triangles = Triangles;
+        ChunkLoop.Run(Boxes.ItemCount, Chunk, threads, (first, end) =>
         {
-            int number = kept == null ? order[i] : kept[order[i]];
-            int* corner = mesh.Corners + (3 * number);
-            Triangles[i] = new MeshTriangle(3 * corner[0], 3 * corner[1], 3 * corner[2], number);
-        }
+            for (int i = first; i < end; i++)
+            {
+                int number = kept == null ? order[i] : kept[order[i]];
+                int* corner = mesh.Corners + (3 * number);
+                triangles[i] = new MeshTriangle(3 * corner[0], 3 * corner[1], 3 * corner[2], number);
+            }
+        });
     }
 
     /// <summary>The tree of boxes.</summary>
@@ -30,11 +37,4 @@ internal sealed unsafe class MeshTree
 
     /// <summary>Bytes of tree and triangles.</summary>
     public long Bytes => _memory.Bytes + Boxes.Bytes;
-
-    private readonly struct Items(MeshData mesh, int[]? kept) : IBvhItems
-    {
-        public int Count => kept == null ? mesh.TriangleCount : kept.Length;
-
-        public Bounds BoundsOf(int item) => mesh.BoundsOf(kept == null ? item : kept[item]);
-    }
 }

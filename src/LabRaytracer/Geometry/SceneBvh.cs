@@ -50,7 +50,7 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
 
         if (boxed.Count > FewObjects)
         {
-            _tree = Bvh.Build(new Items([.. boxes]), new BvhCost(ItemCost: 4, MaximumLeaf: 2), threads, out int[] order);
+            _tree = Bvh.Build(new BvhBounds([.. boxes]), new BvhCost(ItemCost: 4, MaximumLeaf: 2), threads, out int[] order);
             _inside = [.. order.Select(item => boxed[item])];
             _outside = [.. outside];
         }
@@ -93,12 +93,5 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
             R limit = hits == null ? rays.Limit[packet] : hits.T[packet];
             BvhTraversal.Run<R, F, I, BvhSceneLeaf<R, F, I>>(_tree, rays.Load(packet), limit, ref leaf);
         }
-    }
-
-    private readonly struct Items(Bounds[] boxes) : IBvhItems
-    {
-        public int Count => boxes.Length;
-
-        public Bounds BoundsOf(int item) => boxes[item];
     }
 }

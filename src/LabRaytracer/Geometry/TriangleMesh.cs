@@ -94,12 +94,15 @@ public sealed class TriangleMesh : Shape
         {
             lock (_building)
             {
-                _tree ??= new MeshTree(Data, _kept, threads);
+                _tree ??= BuildTree(threads);
             }
         }
 
         return _tree;
     }
+
+    /// <summary>A new tree of boxes.</summary>
+    internal MeshTree BuildTree(int threads) => new(Data, _kept, Bounds, threads);
 
     internal override ShapeGroup<R, F, I> CreateGroup<R, F, I>(Transform transform) => new MeshGroup<R, F, I>(!transform.IsIdentity);
 

@@ -157,7 +157,7 @@ public class BvhTests
     private static Vector3D Turned(int axis, double a, double b, double across) =>
         axis == 0 ? new Vector3D(across, a, b) : axis == 1 ? new Vector3D(b, across, a) : new Vector3D(a, b, across);
 
-    private static Bvh Tree(int threads, out int[] order) => Bvh.Build(new Boxes(Random(40000)), new BvhCost(1, 4), threads, out order);
+    private static Bvh Tree(int threads, out int[] order) => Bvh.Build(new BvhBounds(Random(40000)), new BvhCost(1, 4), threads, out order);
 
     private static Bounds[] Random(int count)
     {
@@ -170,12 +170,5 @@ public class BvhTests
         Assert.Equal(expected.NodeCount, actual.NodeCount);
         int bytes = expected.NodeCount * sizeof(BvhNode);
         Assert.True(new ReadOnlySpan<byte>(expected.Nodes, bytes).SequenceEqual(new ReadOnlySpan<byte>(actual.Nodes, bytes)));
-    }
-
-    private readonly struct Boxes(Bounds[] boxes) : IBvhItems
-    {
-        public int Count => boxes.Length;
-
-        public Bounds BoundsOf(int item) => boxes[item];
     }
 }

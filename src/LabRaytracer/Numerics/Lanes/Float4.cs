@@ -121,6 +121,18 @@ internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Float4 a, int lane) => a.Value.GetElement(lane);
 
+    /// <summary>Three numbers and 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Of(float x, float y, float z) => new(Vector128.Create(x, y, z, 0));
+
+    /// <summary>a0 a1 + a1 a2 + a2 a0, added in this order.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float SumOfPairs(Float4 a)
+    {
+        Vector128<float> products = a.Value * Vector128.Shuffle(a.Value, Vector128.Create(1, 2, 0, 3));
+        return products.GetElement(0) + products.GetElement(1) + products.GetElement(2);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float4 ToSingle(Float4 a) => a;
 

@@ -121,6 +121,18 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Float8 a, int lane) => a.Value.GetElement(lane);
 
+    /// <summary>Lanes 0 to 3.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Lower(Float8 a) => new(a.Value.GetLower());
+
+    /// <summary>Lanes 4 to 7.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Upper(Float8 a) => new(a.Value.GetUpper());
+
+    /// <summary>Lanes 0 to 3 of one, then of another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float8 Join(Float4 lower, Float4 upper) => new(Vector256.Create(lower.Value, upper.Value));
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 ToSingle(Float8 a) => a;
 
