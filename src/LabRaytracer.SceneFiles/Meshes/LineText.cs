@@ -26,6 +26,9 @@ internal ref struct LineText
     /// <summary>Offset of the line that follows.</summary>
     public readonly int Next => Math.Min(End + 1, _bytes.Length);
 
+    /// <summary>What is left of the line.</summary>
+    public readonly ReadOnlySpan<byte> Ahead => _bytes[Position..End];
+
     /// <summary>Goes to the next word; false at the end of the line or at a comment.</summary>
     public bool ToWord()
     {

@@ -34,6 +34,12 @@ internal sealed class ObjChunk(SceneSource source, ObjData data, int start, int 
     {
         for (int at = start; at < end;)
         {
+            at = ReadQuickly(at);
+            if (at >= end)
+            {
+                break;
+            }
+
             LineText line = new(source.Bytes, at);
             at = line.Next;
             line.ToWord();
@@ -65,6 +71,53 @@ internal sealed class ObjChunk(SceneSource source, ObjData data, int start, int 
                     Mistake(first, $"unknown word {Wording.Quote(Encoding.UTF8.GetString(word))}", ObjWords.Allowed);
                     break;
             }
+        }
+    }
+
+    /// <summary>Reads lines as long as they are simple; returns where the first one starts that is not.</summary>
+    private unsafe int ReadQuickly(int from)
+    {
+        Span<ObjCorner> corners = stackalloc ObjCorner[3];
+        fixed (byte* bytes = source.Bytes)
+        {
+            byte* at = bytes + from, last = bytes + Math.Min(end, source.Bytes.Length - ObjQuick.LongestLine);
+            while (at < last)
+            {
+                byte* next = (*at, at[1]) switch
+                {
+                    ((byte)'v', (byte)' ') => ObjQuick.Numbers(at + 2, data.Positions.AsSpan(3 * _positions, 3)),
+                    ((byte)'v', (byte)'n') when at[2] == ' ' => ObjQuick.Numbers(at + 3, data.Normals.AsSpan(3 * _normals, 3)),
+                    ((byte)'v', (byte)'t') when at[2] == ' ' => ObjQuick.Numbers(at + 3, data.Uvs.AsSpan(2 * _uvs, 2)),
+                    ((byte)'f', (byte)' ') => ObjQuick.Face(at + 2, data.Counts, corners),
+                    _ => null,
+                };
+                if (next == null)
+                {
+                    break;
+                }
+
+                Count(*at, at[1], corners);
+                at = next;
+            }
+
+            return (int)(at - bytes);
+        }
+    }
+
+    private void Count(byte first, byte second, ReadOnlySpan<ObjCorner> corners)
+    {
+        if (first == 'f')
+        {
+            int at = 3 * _triangles++;
+            data.SetCorner(at, corners[0]);
+            data.SetCorner(at + 1, corners[1]);
+            data.SetCorner(at + 2, corners[2]);
+        }
+        else
+        {
+            _positions += second == ' ' ? 1 : 0;
+            _normals += second == 'n' ? 1 : 0;
+            _uvs += second == 't' ? 1 : 0;
         }
     }
 

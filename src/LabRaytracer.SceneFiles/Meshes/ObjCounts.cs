@@ -1,3 +1,5 @@
+using System.Buffers;
+
 namespace LabRaytracer;
 
 /// <summary>How many elements a part of an OBJ file has.</summary>
@@ -7,6 +9,8 @@ namespace LabRaytracer;
 /// <param name="Triangles">Triangles of the lines f: corners minus two of each.</param>
 internal readonly record struct ObjCounts(int Positions, int Uvs, int Normals, int Triangles)
 {
+    private static readonly SearchValues<byte> s_plain = SearchValues.Create("0123456789/- "u8);
+
     public static ObjCounts operator +(ObjCounts a, ObjCounts b) => new(
         checked(a.Positions + b.Positions), checked(a.Uvs + b.Uvs), checked(a.Normals + b.Normals), checked(a.Triangles + b.Triangles));
 
@@ -43,6 +47,13 @@ internal readonly record struct ObjCounts(int Positions, int Uvs, int Normals, i
 
     private static int CountTriangles(ref LineText line)
     {
+        // Between single spaces and nothing that separates words otherwise, there is a corner after each space.
+        ReadOnlySpan<byte> text = line.Ahead;
+        if (text.IndexOfAnyExcept(s_plain) < 0 && text.IndexOf("  "u8) < 0 && !text.EndsWith((byte)' '))
+        {
+            return Math.Max(0, text.Count((byte)' ') - 2);
+        }
+
         int corners = 0;
         while (line.ToWord())
         {

@@ -49,6 +49,11 @@ internal static class ObjMeshes
     private static double[] WithFaceNormals(ObjData data)
     {
         int[] of = data.NormalOf;
+        if (of.AsSpan().IndexOfAnyInRange(int.MinValue, -1) < 0 && Enumerable.Range(0, data.Normals.Length / 3).All(normal => HasNormal(data, normal)))
+        {
+            return data.Normals;
+        }
+
         List<double> added = [];
         for (int at = 0; at < of.Length; at += 3)
         {

@@ -8,6 +8,8 @@ internal static class MeshChecks
     /// <summary>Coordinates beyond this would overflow in the floats of the tree of boxes.</summary>
     private const double LargestCoordinate = 1e18;
 
+    private const int Chunk = 1 << 16;
+
     /// <summary>Throws if any number is out of range.</summary>
     public static void Validate(ReadOnlySpan<double> positions, ReadOnlySpan<int> corners, MeshOptions options)
     {
@@ -32,6 +34,11 @@ internal static class MeshChecks
     /// <returns>Their numbers, or null for all.</returns>
     public static int[]? KeptTriangles(MeshData mesh, DegenerateTriangles policy)
     {
+        if (AllHaveArea(mesh))
+        {
+            return null;
+        }
+
         List<int>? kept = null;
         for (int triangle = 0; triangle < mesh.TriangleCount; triangle++)
         {
@@ -51,6 +58,23 @@ internal static class MeshChecks
         }
 
         return kept?.ToArray();
+    }
+
+    private static bool AllHaveArea(MeshData mesh)
+    {
+        bool all = true;
+        ChunkLoop.Run(mesh.TriangleCount, Chunk, Environment.ProcessorCount, (first, end) =>
+        {
+            for (int triangle = first; triangle < end; triangle++)
+            {
+                if (!HasArea(mesh, triangle))
+                {
+                    Volatile.Write(ref all, false);
+                    return;
+                }
+            }
+        });
+        return all;
     }
 
     private static bool HasArea(MeshData mesh, int triangle)

@@ -58,12 +58,8 @@ internal sealed unsafe class MeshData
     /// <summary>The position of one of a triangle's three corners.</summary>
     public Point3D Position(int triangle, int corner) => Position(Corners[(3 * triangle) + corner]);
 
-    /// <summary>The box of a triangle.</summary>
-    public Bounds BoundsOf(int triangle)
-    {
-        Point3D a = Position(triangle, 0);
-        return new Bounds(a, a).Including(Position(triangle, 1)).Including(Position(triangle, 2));
-    }
+    /// <summary>A box that grows to hold a triangle.</summary>
+    public Bounds BoundsOf(int triangle, in Bounds box) => box.Including(Position(triangle, 0)).Including(Position(triangle, 1)).Including(Position(triangle, 2));
 
     private int* CornersOf(ReadOnlySpan<int> corners, ReadOnlySpan<int> own) => own.IsEmpty || own.SequenceEqual(corners) ? Corners : Copy(own);
 

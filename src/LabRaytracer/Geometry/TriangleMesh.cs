@@ -9,6 +9,7 @@ namespace LabRaytracer;
 public sealed class TriangleMesh : Shape
 {
     private static readonly MeshMapping s_mapping = new();
+    private const int Chunk = 1 << 16;
     private readonly int[]? _kept;
     private readonly Lock _building = new();
     private volatile MeshTree? _tree;
@@ -135,13 +136,22 @@ public sealed class TriangleMesh : Shape
 
     private Bounds FindBounds()
     {
-        Bounds bounds = Bounds.Empty;
         int count = _kept?.Length ?? TriangleCount;
-        for (int i = 0; i < count; i++)
+        Bounds all = Bounds.Empty;
+        Lock joining = new();
+        ChunkLoop.Run(count, Chunk, Environment.ProcessorCount, (first, end) =>
         {
-            bounds = Bounds.Union(bounds, Data.BoundsOf(_kept == null ? i : _kept[i]));
-        }
+            Bounds part = Bounds.Empty;
+            for (int i = first; i < end; i++)
+            {
+                part = Data.BoundsOf(_kept == null ? i : _kept[i], part);
+            }
 
-        return bounds;
+            lock (joining)
+            {
+                all = Bounds.Union(all, part);
+            }
+        });
+        return all;
     }
 }

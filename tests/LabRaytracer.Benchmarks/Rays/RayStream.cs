@@ -74,7 +74,7 @@ internal sealed unsafe class RayStream<R, F, I>
             count++;
             bool isHit = _mesh.Intersect(Rays[i], limit, out Hit hit);
             same += isHit == IsHit(i) ? 1 : 0;
-            worst = isHit && HitOf(i) is { } own && _hits != null ? Math.Max(worst, Math.Abs((own.T - hit.T) / hit.T)) : worst;
+            worst = isHit && _hits != null && HitOf(i) is { } own ? Math.Max(worst, Math.Abs((own.T - hit.T) / hit.T)) : worst;
         }
 
         return string.Create(CultureInfo.InvariantCulture, $"{same} of {count} agree with one lane of double, t within {worst:0.0e+0}");
