@@ -82,6 +82,8 @@ internal static class PictureOutput
         string text = string.Create(CultureInfo.InvariantCulture, $"--size {options.Width}x{options.Height} --samples {options.Samples}");
         text += $" --pattern {options.Pattern} --precision {RenderSettings.Word(options.Precision)} --view {options.View}".ToLowerInvariant();
         text += string.Create(CultureInfo.InvariantCulture, $" --seed {options.Seed}");
+        text += options.PixelFilter == PixelFilter.Box ? "" : $" --pixel-filter {options.PixelFilter}".ToLowerInvariant();
+        text += options.ErrorBudget > 0 ? string.Create(CultureInfo.InvariantCulture, $" --budget {options.ErrorBudget} --max-samples {options.MaxSamples}") : "";
         text += options.Filter is { } filter ? $" --filter {filter}".ToLowerInvariant() : "";
         return text + (options.Crop is { } crop ? string.Create(CultureInfo.InvariantCulture, $" --crop {crop.X},{crop.Y},{crop.Width},{crop.Height}") : "");
     }

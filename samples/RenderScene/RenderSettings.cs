@@ -12,6 +12,8 @@ internal sealed class RenderSettings
 
     private static readonly Dictionary<string, object> s_patterns = Words(typeof(SamplePattern));
 
+    private static readonly Dictionary<string, object> s_pixelFilters = Words(typeof(PixelFilter));
+
     private static readonly Dictionary<string, object> s_views = Words(typeof(RenderView));
 
     private readonly Option<string?> _size = new("--size") { HelpName = "WxH", Description = "Size of the picture, pixels, such as 1280x720." };
@@ -19,6 +21,15 @@ internal sealed class RenderSettings
     private readonly Option<string?> _samples = new("--samples") { HelpName = "N", Description = "Samples a pixel, a square: 1, 4, 9, 16, ..." };
 
     private readonly Option<string?> _pattern = Choice("--pattern", "Where the samples of a pixel lie", s_patterns.Keys);
+
+    private readonly Option<string?> _pixelFilter = Choice("--pixel-filter", "How the light around a pixel's centre is weighted", s_pixelFilters.Keys);
+
+    private readonly Option<string?> _budget = new("--budget")
+    {
+        HelpName = "E", Description = "Root mean square error (linear light) that the picture may have, such as 0.01: pixels take samples until it is met; 0: none.",
+    };
+
+    private readonly Option<string?> _maxSamples = new("--max-samples") { HelpName = "N", Description = "Most samples a pixel under a budget." };
 
     private readonly Option<string?> _seed = new("--seed") { HelpName = "N", Description = "Number that random choices derive from." };
 
@@ -36,7 +47,7 @@ internal sealed class RenderSettings
     public static string Word(Precision precision) => s_precisions.First(word => precision.Equals(word.Value)).Key;
 
     /// <summary>All of them, to add to a command.</summary>
-    public IEnumerable<Option> All => [_size, _samples, _pattern, _seed, _threads, _precision, _filter, _crop, _view];
+    public IEnumerable<Option> All => [_size, _samples, _budget, _maxSamples, _pattern, _pixelFilter, _seed, _threads, _precision, _filter, _crop, _view];
 
     /// <summary>The options of a scene with those of the command line in their place.</summary>
     /// <param name="parsed">The command line.</param>
@@ -54,8 +65,12 @@ internal sealed class RenderSettings
         {
             Width = size[0],
             Height = size[1],
-            Samples = Given(parsed, _samples, Samples, scene.Samples),
+            // A budget given here stands in the place of the scene's number of samples.
+            Samples = Given(parsed, _samples, Samples, parsed.GetValue(_budget) is null ? scene.Samples : 1),
             Pattern = Given(parsed, _pattern, text => (SamplePattern)OptionText.Word("--pattern", text, s_patterns), scene.Pattern),
+            PixelFilter = Given(parsed, _pixelFilter, text => (PixelFilter)OptionText.Word("--pixel-filter", text, s_pixelFilters), scene.PixelFilter),
+            ErrorBudget = Given(parsed, _budget, Budget, scene.ErrorBudget),
+            MaxSamples = Given(parsed, _maxSamples, text => OptionText.Integer("--max-samples", text, 4, 65536), scene.MaxSamples),
             Seed = Given(parsed, _seed, text => OptionText.Integer("--seed", text, int.MinValue, int.MaxValue), scene.Seed),
             Threads = Given(parsed, _threads, text => OptionText.Integer("--threads", text, 1, 1024), scene.Threads),
             Precision = Given(parsed, _precision, text => (Precision)OptionText.Word("--precision", text, s_precisions), scene.Precision),
@@ -78,6 +93,12 @@ internal sealed class RenderSettings
         return side * side == samples
             ? samples
             : throw new UsageException($"--samples {samples} is not a square; near it are {side * side} and {(side + 1) * (side + 1)}.");
+    }
+
+    private static double Budget(string text)
+    {
+        double budget = OptionText.NotNegative("--budget", text);
+        return budget <= 1000 ? budget : throw new UsageException($"--budget '{text}' is not possible: 0 to 1000, linear light; 0.01 is fine.");
     }
 
     private static PixelRectangle? Crop(string text, int width, int height)

@@ -13,6 +13,20 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
     /// <summary>Wall time from reading to the written picture, seconds.</summary>
     public double TotalSeconds { get; init; }
 
+    /// <summary>Under a budget the mean number.</summary>
+    private string Samples => statistics.EstimatedRmse is null
+        ? string.Create(CultureInfo.InvariantCulture, $"{options.Samples} samples a pixel")
+        : string.Create(CultureInfo.InvariantCulture, $"{MeanSamples:0.00} samples a pixel on average");
+
+    private double MeanSamples
+    {
+        get
+        {
+            PixelRectangle area = Renderer.Area(options);
+            return (double)statistics.PrimaryRays / ((long)area.Width * area.Height);
+        }
+    }
+
     private IReadOnlyList<(string Key, string Words, double Value)> Times =>
     [
         ("loadSeconds", "scene file read", LoadSeconds),
@@ -61,7 +75,13 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
     /// <summary>A table for people.</summary>
     public void WriteText(TextWriter writer)
     {
-        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {options.Width} x {options.Height} pixels, {options.Samples} samples a pixel, {options.Threads} threads"));
+        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {options.Width} x {options.Height} pixels, {Samples}, {options.Threads} threads"));
+        if (statistics.EstimatedRmse is { } rmse)
+        {
+            string rest = rmse > options.ErrorBudget ? $", not met with {options.MaxSamples} samples at most; --max-samples allows more" : "";
+            writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {"estimated RMSE, linear light",-34} {rmse,14:0.000000} of {options.ErrorBudget}{rest}"));
+        }
+
         foreach ((_, string words, double value) in Times)
         {
             writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {words,-34} {value,14:0.000} s"));
@@ -91,6 +111,14 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
         json.WriteNumber("samples", options.Samples);
         json.WriteNumber("threads", options.Threads);
         json.WriteString("precision", RenderSettings.Word(options.Precision));
+        if (statistics.EstimatedRmse is { } rmse)
+        {
+            json.WriteNumber("errorBudget", options.ErrorBudget);
+            json.WriteNumber("maxSamples", options.MaxSamples);
+            json.WriteNumber("meanSamples", MeanSamples);
+            json.WriteNumber("estimatedRmse", rmse);
+        }
+
         foreach ((string key, _, double value) in Times)
         {
             json.WriteNumber(key, value);

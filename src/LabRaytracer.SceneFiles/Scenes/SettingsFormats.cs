@@ -12,7 +12,18 @@ internal static class SettingsFormats
     private static readonly Key<int> s_samples = Key.Optional("samples", new IntegerFormat(1, 65536), s_render.Samples, "Samples a pixel, a square number: 1, 4, 9, 16, ...");
 
     private static readonly Key<SamplePattern> s_pattern = Key.Optional(
-        "pattern", ChoiceFormat.Of<SamplePattern>(), s_render.Pattern, "Where the samples of a pixel lie: centres of a grid, or at random in its cells.");
+        "pattern", ChoiceFormat.Of<SamplePattern>(), s_render.Pattern, "Where the samples of a pixel lie: centres of a grid, at random in its cells, or points of Sobol's sequence, scrambled.");
+
+    private static readonly Key<PixelFilter> s_pixelFilter = Key.Optional(
+        "pixelFilter", ChoiceFormat.Of<PixelFilter>(), s_render.PixelFilter, "How the light around a pixel's centre is weighted: radius 1/2, 1, or 2 pixels.");
+
+    private static readonly Key<double> s_errorBudget = Key.Optional(
+        "errorBudget",
+        new NumberFormat { Min = 0, Max = 1000 },
+        s_render.ErrorBudget,
+        "Root mean square error, of linear light, that the picture may have: pixels take samples until it is met. 0: none, every pixel takes as many.");
+
+    private static readonly Key<int> s_maxSamples = Key.Optional("maxSamples", new IntegerFormat(4, 65536), s_render.MaxSamples, "Most samples a pixel under an error budget.");
 
     private static readonly Key<int> s_maxDepth = Key.Optional("maxDepth", new IntegerFormat(0, 64), s_render.MaxDepth, "Most reflections and refractions in a row.");
 
@@ -35,7 +46,7 @@ internal static class SettingsFormats
 
     /// <summary>How the scene is rendered.</summary>
     public static ObjectFormat<RenderOptions> Render { get; } = new(
-        "render", "How the scene is rendered.", [s_width, s_height, s_samples, s_pattern, s_maxDepth, s_seed, s_precision], Options);
+        "render", "How the scene is rendered.", [s_width, s_height, s_samples, s_pattern, s_pixelFilter, s_errorBudget, s_maxSamples, s_maxDepth, s_seed, s_precision], Options);
 
     /// <summary>How the picture is written.</summary>
     public static ObjectFormat<SceneOutput> Output { get; } = new(
@@ -63,6 +74,9 @@ internal static class SettingsFormats
             Height = height,
             Samples = samples,
             Pattern = fields.Get(s_pattern),
+            PixelFilter = fields.Get(s_pixelFilter),
+            ErrorBudget = fields.Get(s_errorBudget),
+            MaxSamples = fields.Get(s_maxSamples),
             MaxDepth = fields.Get(s_maxDepth),
             Seed = fields.Get(s_seed),
             Precision = fields.Get(s_precision),

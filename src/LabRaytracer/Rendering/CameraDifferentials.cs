@@ -14,7 +14,7 @@ internal static unsafe class CameraDifferentials
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        double spacing = 1 / Math.Sqrt(options.Samples);
+        double spacing = 1 / Math.Sqrt(options.FirstSamples);
         if (camera is IWideCamera wide)
         {
             rays.Narrow();

@@ -18,13 +18,14 @@ internal sealed unsafe class LampPlaces<R, F, I>(PixelSampling sampling, int[] p
     /// <param name="lamp">Number of the lamp.</param>
     /// <param name="order">Numbers of the rays that hit, padded to whole groups of lanes.</param>
     /// <param name="packets">Groups of lanes.</param>
-    public void Begin(int lamp, int* order, int packets)
+    /// <param name="samples">Samples of a hit.</param>
+    public void Begin(int lamp, int* order, int packets, int samples)
     {
         int purpose = 1 + (lamp * MostDepths) + sampling.Depth;
         int* first = (int*)_first, second = (int*)_second;
         for (int i = 0; i < packets * R.Width; i++)
         {
-            (first[i], second[i]) = sampling.Scramble(pixels[order[i]], purpose);
+            (first[i], second[i]) = sampling.Scramble(pixels[order[i]], purpose, samples);
         }
     }
 

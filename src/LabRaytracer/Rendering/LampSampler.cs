@@ -26,7 +26,7 @@ internal sealed unsafe class LampSampler<R, F, I>(
 
         if (samples > 1 || scene.Environments[lamp] is not null)
         {
-            places!.Begin(lamp, order, packets);
+            places!.Begin(lamp, order, packets, samples);
         }
 
         return samples;

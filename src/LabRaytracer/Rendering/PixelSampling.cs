@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace LabRaytracer;
 
 /// <summary>Random numbers of the pixels of a tile, for samples of lamps and lenses: from (seed, pixel, purpose) alone.</summary>
@@ -7,6 +9,7 @@ namespace LabRaytracer;
 internal sealed class PixelSampling(int seed, int pixels)
 {
     private readonly ulong[] _states = new ulong[pixels];
+    private readonly int[] _samples = new int[pixels];
 
     /// <summary>Number of the current sample of the pixels.</summary>
     public int Sample { get; private set; }
@@ -23,8 +26,19 @@ internal sealed class PixelSampling(int seed, int pixels)
         for (int pixel = 0; pixel < pixels; pixel++)
         {
             (int px, int py) = place(pixel);
-            _states[pixel] = SampleOffsets.Mix(SampleOffsets.Mix((uint)seed) ^ (((ulong)(uint)(x + px) << 32) | (uint)(y + py)));
+            Start(pixel, x + px, y + py, 0);
         }
+    }
+
+    /// <summary>Starts a sample of one pixel where a batch holds different samples of different pixels; <see cref="Sample"/> is then 0.</summary>
+    /// <param name="slot">Number of the ray in the batch, which stands for the number of the pixel.</param>
+    /// <param name="x">Column in the whole picture.</param>
+    /// <param name="y">Row in the whole picture.</param>
+    /// <param name="sample">Number of the sample.</param>
+    public void Start(int slot, int x, int y, int sample)
+    {
+        _states[slot] = SampleOffsets.Mix(SampleOffsets.Mix((uint)seed) ^ (((ulong)(uint)x << 32) | (uint)y));
+        _samples[slot] = sample;
     }
 
     /// <summary>Starts a sample of every pixel.</summary>
@@ -36,9 +50,15 @@ internal sealed class PixelSampling(int seed, int pixels)
     /// <summary>Two random 32-bit numbers.</summary>
     /// <param name="pixel">Number in the tile.</param>
     /// <param name="purpose">What for: different numbers for each.</param>
-    public (int First, int Second) Scramble(int pixel, int purpose)
+    /// <param name="points">Points of a sample.</param>
+    /// <remarks>
+    /// They also lead from the first points of the sequence to those of the pixel's own sample: bits of numbers that do not overlap are added by exclusive-or,
+    /// which the sequence hands on to its points.
+    /// </remarks>
+    public (int First, int Second) Scramble(int pixel, int purpose, int points)
     {
         ulong random = SampleOffsets.Mix(_states[pixel] ^ (uint)purpose);
-        return ((int)(random >> 32), (int)random);
+        uint start = (uint)_samples[pixel] * BitOperations.RoundUpToPowerOf2((uint)points);
+        return ((int)((uint)(random >> 32) ^ SquareSequence.First(start)), (int)((uint)random ^ SquareSequence.Second(start)));
     }
 }

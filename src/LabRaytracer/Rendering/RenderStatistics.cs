@@ -13,6 +13,9 @@ public sealed class RenderStatistics
     /// <summary>Rays from the camera.</summary>
     public long PrimaryRays { get; internal set; }
 
+    /// <summary>Estimated root mean square error of the picture against its converged form, linear light, over all components; null without an error budget.</summary>
+    public double? EstimatedRmse { get; internal set; }
+
     /// <summary>Reflected and refracted rays.</summary>
     public long SecondaryRays { get; internal set; }
 

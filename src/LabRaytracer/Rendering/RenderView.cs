@@ -37,4 +37,7 @@ public enum RenderView
     /// on the same object: at seams, at poles, and where a pixel spans more than half of a texture.
     /// </summary>
     Seam,
+
+    /// <summary>Number of samples of each pixel: black 1, blue 4, red 16, yellow 64, white 256 or more. Of interest with <see cref="RenderOptions.ErrorBudget"/>.</summary>
+    Samples,
 }

@@ -25,10 +25,11 @@ public static class Renderer
     internal static RenderResult Render(Scene scene, RenderOptions options, int laneWidth, IProgress<double>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(scene);
-        PixelRectangle area = Area(options);
+        PixelRectangle area = Area(options), tiles = TileArea(options);
         cancellation.ThrowIfCancellationRequested();
-        Picture picture = new(area.Width, area.Height);
-        return new RenderResult(picture, Render(scene, options, laneWidth, new WholeTarget(picture, area.Y), progress, cancellation));
+        Picture picture = new(tiles.Width, tiles.Height);
+        RenderStatistics statistics = Render(scene, options, laneWidth, tiles, new WholeTarget(picture, tiles.Y), progress, cancellation);
+        return new RenderResult(tiles == area ? picture : Cut(picture, tiles, area), statistics);
     }
 
     /// <summary>Renders and hands over finished bands of rows from the top: memory does not grow with the height of the picture.</summary>
@@ -38,8 +39,22 @@ public static class Renderer
     /// <param name="progress">As for a whole picture.</param>
     /// <param name="cancellation">Stops the render between two tiles.</param>
     internal static RenderStatistics Render(
-        Scene scene, RenderOptions options, IBandSink sink, IProgress<double>? progress = null, CancellationToken cancellation = default) =>
-        Render(scene, options, LaneWidth.Best, new BandTarget(Area(options), sink, options.Threads), progress, cancellation);
+        Scene scene, RenderOptions options, IBandSink sink, IProgress<double>? progress = null, CancellationToken cancellation = default)
+    {
+        PixelRectangle area = Area(options);
+        if (TileArea(options) == area)
+        {
+            return Render(scene, options, LaneWidth.Best, area, new BandTarget(area, sink, options.Threads), progress, cancellation);
+        }
+
+        (Picture picture, RenderStatistics statistics) = Render(scene, options, LaneWidth.Best, progress, cancellation);
+        for (int row = 0; row < area.Height; row += sink.BandRows)
+        {
+            sink.Prepare(picture.Pixels.Slice(row * area.Width, Math.Min(sink.BandRows, area.Height - row) * area.Width))();
+        }
+
+        return statistics;
+    }
 
     /// <summary>The part of the picture that is rendered.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The crop lies outside the picture.</exception>
@@ -58,22 +73,49 @@ public static class Renderer
             : throw new ArgumentOutOfRangeException(nameof(options), crop, $"The crop must lie inside the picture of {options.Width} x {options.Height} pixels.");
     }
 
+    /// <summary>The part of the picture that is rendered in tiles: under an error budget, which tiles share out, whole tiles of the whole picture, so that a crop has the same pixels.</summary>
+    private static PixelRectangle TileArea(RenderOptions options)
+    {
+        PixelRectangle area = Area(options);
+        if (!options.HasBudget)
+        {
+            return area;
+        }
+
+        const int Side = PngRowWriter.RowStep;
+        int left = area.X / Side * Side, top = area.Y / Side * Side;
+        int right = Math.Min(options.Width, (area.X + area.Width + Side - 1) / Side * Side);
+        int bottom = Math.Min(options.Height, (area.Y + area.Height + Side - 1) / Side * Side);
+        return new PixelRectangle(left, top, right - left, bottom - top);
+    }
+
+    private static Picture Cut(Picture picture, PixelRectangle from, PixelRectangle area)
+    {
+        Picture part = new(area.Width, area.Height);
+        for (int row = 0; row < area.Height; row++)
+        {
+            picture.Row(area.Y - from.Y + row).Slice(area.X - from.X, area.Width).CopyTo(part.Row(row));
+        }
+
+        return part;
+    }
+
     private static RenderStatistics Render(
-        Scene scene, RenderOptions options, int laneWidth, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation) =>
+        Scene scene, RenderOptions options, int laneWidth, PixelRectangle area, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation) =>
         (options.Precision, laneWidth) switch
         {
-            (Precision.Single, 16) => Render<Float16, Float16, Int16>(scene, options, target, progress, cancellation),
-            (Precision.Single, 8) => Render<Float8, Float8, Int8>(scene, options, target, progress, cancellation),
-            (Precision.Single, 4) => Render<Float4, Float4, Int4>(scene, options, target, progress, cancellation),
-            (Precision.Single, _) => Render<Float1, Float1, Int1>(scene, options, target, progress, cancellation),
-            (_, 16) => Render<Double16, Float16, Int16>(scene, options, target, progress, cancellation),
-            (_, 8) => Render<Double8, Float8, Int8>(scene, options, target, progress, cancellation),
-            (_, 4) => Render<Double4, Float4, Int4>(scene, options, target, progress, cancellation),
-            _ => Render<Double1, Float1, Int1>(scene, options, target, progress, cancellation),
+            (Precision.Single, 16) => Render<Float16, Float16, Int16>(scene, options, area, target, progress, cancellation),
+            (Precision.Single, 8) => Render<Float8, Float8, Int8>(scene, options, area, target, progress, cancellation),
+            (Precision.Single, 4) => Render<Float4, Float4, Int4>(scene, options, area, target, progress, cancellation),
+            (Precision.Single, _) => Render<Float1, Float1, Int1>(scene, options, area, target, progress, cancellation),
+            (_, 16) => Render<Double16, Float16, Int16>(scene, options, area, target, progress, cancellation),
+            (_, 8) => Render<Double8, Float8, Int8>(scene, options, area, target, progress, cancellation),
+            (_, 4) => Render<Double4, Float4, Int4>(scene, options, area, target, progress, cancellation),
+            _ => Render<Double1, Float1, Int1>(scene, options, area, target, progress, cancellation),
         };
 
     private static RenderStatistics Render<R, F, I>(
-        Scene scene, RenderOptions options, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation)
+        Scene scene, RenderOptions options, PixelRectangle area, ITileTarget target, IProgress<double>? progress, CancellationToken cancellation)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -90,7 +132,7 @@ public static class Renderer
             LaneWidth = R.Width,
         };
         start = Stopwatch.GetTimestamp();
-        new TileLoop<R, F, I>(compiled, options, Area(options), progress, cancellation).Run(target, statistics);
+        new TileLoop<R, F, I>(compiled, options, area, progress, cancellation).Run(target, statistics);
         statistics.RenderSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         GC.KeepAlive(scene);
         return statistics;

@@ -13,7 +13,7 @@ internal static class SampleOffsets
     {
         int side = Side(options);
         int cell = axis == 0 ? sample % side : sample / side;
-        return (cell + Random(options.Seed, pixelX, pixelY, (2 * sample) + axis)) / side;
+        return (cell + ((Hash(options.Seed, pixelX, pixelY, (2 * sample) + axis) >> 11) * (1.0 / (1UL << 53)))) / side;
     }
 
     /// <summary>Position of a sample of the regular pattern along one axis, (0, 1).</summary>
@@ -23,14 +23,17 @@ internal static class SampleOffsets
         return ((axis == 0 ? sample % side : sample / side) + 0.5) / side;
     }
 
+    /// <summary>Position of a sample of Sobol's sequence along one axis, [0, 1); the number of samples does not matter.</summary>
+    public static double Sobol(RenderOptions options, int pixelX, int pixelY, int sample, int axis) =>
+        SobolSequence.At((uint)sample, axis, (uint)(Hash(options.Seed, pixelX, pixelY, axis - 2) >> 32));
+
     private static int Side(RenderOptions options) => (int)Math.Round(Math.Sqrt(options.Samples));
 
-    /// <summary>A number in [0, 1) from a hash of its arguments (the finaliser of SplitMix64, Steele, Lea and Flood 2014).</summary>
-    private static double Random(int seed, int x, int y, int dimension)
+    /// <summary>64 random bits, a hash of the arguments (the finaliser of SplitMix64, Steele, Lea and Flood 2014).</summary>
+    private static ulong Hash(int seed, int x, int y, int dimension)
     {
         ulong state = Mix(((ulong)(uint)seed << 32) | (uint)dimension);
-        state = Mix(state ^ (((ulong)(uint)x << 32) | (uint)y));
-        return (state >> 11) * (1.0 / (1UL << 53));
+        return Mix(state ^ (((ulong)(uint)x << 32) | (uint)y));
     }
 
     /// <summary>Mixes the bits of a number, one to one.</summary>

@@ -8,4 +8,9 @@ public enum SamplePattern
 
     /// <summary>One random point in each cell of an n x n grid, repeatable by the seed.</summary>
     Jittered,
+
+    /// <summary>
+    /// Points of Sobol's sequence in base 2, scrambled for each pixel: of 4, 16, 64, ... samples each row, each column and each cell of the grid holds as many.
+    /// </summary>
+    Sobol,
 }

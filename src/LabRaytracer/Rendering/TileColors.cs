@@ -62,6 +62,12 @@ internal sealed unsafe class TileColors<F>
     /// <summary>Adds light to one pixel of the sample.</summary>
     public void AddToSample(int pixel, Intensity light) => _sample.Put(pixel, _sample.Take(pixel) + light);
 
+    /// <summary>Light of one pixel of the sample.</summary>
+    public Intensity TakeSample(int pixel) => _sample.Take(pixel);
+
+    /// <summary>Sets the sum of one pixel.</summary>
+    public void SetSum(int pixel, Intensity light) => _sum.Put(pixel, light);
+
     /// <summary>Starts the sums with the sample, which is given up.</summary>
     public void StartSum() => (_sum, _sample) = (_sample, _sum);
 

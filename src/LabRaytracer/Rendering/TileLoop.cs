@@ -10,6 +10,7 @@ internal sealed class TileLoop<R, F, I>(
     private readonly int _columns = (area.Width + TileWorker<R, F, I>.Side - 1) / TileWorker<R, F, I>.Side;
     private readonly int _rows = (area.Height + TileWorker<R, F, I>.Side - 1) / TileWorker<R, F, I>.Side;
     private readonly Lock _lock = new();
+    private double[] _squaredErrors = [];
     private int _next;
     private int _finished;
 
@@ -17,6 +18,7 @@ internal sealed class TileLoop<R, F, I>(
     public void Run(ITileTarget target, RenderStatistics statistics)
     {
         double[] stageSeconds = new double[Enum.GetValues<RenderStage>().Length];
+        _squaredErrors = new double[options.HasBudget ? _columns * _rows : 0];
         int workers = Math.Min(options.Threads, _columns * _rows);
         if (workers == 1)
         {
@@ -25,6 +27,12 @@ internal sealed class TileLoop<R, F, I>(
         else
         {
             RunParallel(workers, () => Work(target, statistics, stageSeconds));
+        }
+
+        if (options.HasBudget)
+        {
+            // Tiles are added in their order: the sum does not depend on threads.
+            statistics.EstimatedRmse = Math.Sqrt(_squaredErrors.Aggregate(0.0, (sum, error) => sum + error) / ((double)area.Width * area.Height));
         }
 
         statistics.StageSeconds = Enum.GetValues<RenderStage>().ToDictionary(stage => stage.ToString(), stage => stageSeconds[(int)stage]);
@@ -77,7 +85,11 @@ internal sealed class TileLoop<R, F, I>(
         int x = area.X + ((tile % _columns) * TileWorker<R, F, I>.Side), y = area.Y + ((tile / _columns) * TileWorker<R, F, I>.Side);
         try
         {
-            worker.Render(x, y, part.Pixels, part.Top);
+            double squaredError = worker.Render(x, y, part.Pixels, part.Top);
+            if (options.HasBudget)
+            {
+                _squaredErrors[tile] = squaredError;
+            }
         }
         catch (Exception cause)
         {

@@ -1,7 +1,7 @@
 namespace LabRaytracer;
 
 /// <summary>Renders tiles, one after the other; owned by one thread.</summary>
-internal sealed unsafe class TileWorker<R, F, I> : IDisposable
+internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -47,6 +47,13 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         _sampleX = _memory.Column<R>(Pixels, R.Width);
         _sampleY = _memory.Column<R>(Pixels, R.Width);
         _colors = new TileColors<F>(_memory, Pixels);
+        _places = new SamplePlaces(options);
+        if (ViewStage.IsColor(options.View) && (options.HasBudget || _places.Warp.IsSigned))
+        {
+            _estimates = new PixelEstimates(Side, _places.Warp.Gain);
+            _slots = new Slot[Pixels];
+        }
+
         _seams = options.View == RenderView.Seam ? new SeamMarks(Pixels) : null;
         for (int i = 0; i < Pixels; i++)
         {
@@ -64,9 +71,31 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     /// <param name="y">Row.</param>
     /// <param name="picture">Gets the pixels; as wide as the rendered part.</param>
     /// <param name="top">Row of the whole picture that is its row 0.</param>
-    public void Render(int x, int y, Picture picture, int top)
+    /// <returns>Sum of the pixels' estimated squared errors; 0 without an error budget.</returns>
+    public double Render(int x, int y, Picture picture, int top)
     {
         Counters.Start();
+        double error = 0;
+        if (_estimates is { } estimates)
+        {
+            error = SamplePixels(estimates, x, y);
+        }
+        else
+        {
+            SampleAlike(x, y);
+        }
+
+        FindSeams(x, y);
+        Write(x, y, picture, top);
+        Counters.Charge(RenderStage.Combine);
+        return error;
+    }
+
+    public void Dispose() => _memory.Dispose();
+
+    /// <summary>The same number of samples in all pixels.</summary>
+    private void SampleAlike(int x, int y)
+    {
         _tracer.Tally?.Clear();
         _sampling?.StartTile(x, y, Place);
         for (int sample = 0; sample < _options.Samples; sample++)
@@ -86,12 +115,10 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
             }
         }
 
-        FindSeams(x, y);
-        Write(x, y, picture, top);
-        Counters.Charge(RenderStage.Combine);
+        _colors.Average(_options.Samples);
+        int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
+        Counters.PrimaryRays += (long)width * height * _options.Samples;
     }
-
-    public void Dispose() => _memory.Dispose();
 
     /// <summary>Position of pixel number i in its tile: blocks of 4 x 4, so that a group of lanes sees neighbours in both directions.</summary>
     private static (int X, int Y) Place(int i)
@@ -108,17 +135,17 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     /// <summary>Camera rays of one sample of every pixel; pixels outside the picture are off.</summary>
     private void Aim(int x, int y, int sample)
     {
-        if (_options.Pattern == SamplePattern.Regular)
+        if (_places.IsSame)
         {
-            PlaceSamples(x + SampleOffsets.Regular(_options, sample, 0), y + SampleOffsets.Regular(_options, sample, 1));
+            PlaceSamples(x + _places.At(x, y, sample, 0), y + _places.At(x, y, sample, 1));
         }
         else
         {
             for (int i = 0; i < Pixels; i++)
             {
                 (int px, int py) = Place(i);
-                R.Put(_sampleX, i, x + px + SampleOffsets.Jittered(_options, x + px, y + py, sample, 0));
-                R.Put(_sampleY, i, y + py + SampleOffsets.Jittered(_options, x + px, y + py, sample, 1));
+                R.Put(_sampleX, i, x + px + _places.At(x + px, y + py, sample, 0));
+                R.Put(_sampleY, i, y + py + _places.At(x + px, y + py, sample, 1));
             }
         }
 
@@ -140,11 +167,6 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     {
         _rays.Count = Pixels;
         AimCamera();
-        if (_rays.HasDifferentials)
-        {
-            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options);
-        }
-
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
@@ -155,6 +177,15 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
 
     private void AimCamera()
     {
+        AimRays();
+        if (_rays.HasDifferentials)
+        {
+            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options);
+        }
+    }
+
+    private void AimRays()
+    {
         if (_scene.Camera is IWideCamera wide)
         {
             RayColumns<R> columns = new()
@@ -162,11 +193,11 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
                 OriginX = _rays.OriginX, OriginY = _rays.OriginY, OriginZ = _rays.OriginZ,
                 DirectionX = _rays.DirectionX, DirectionY = _rays.DirectionY, DirectionZ = _rays.DirectionZ,
             };
-            wide.Rays(_sampleX, _sampleY, columns, Pixels / R.Width, _options.Width, _options.Height);
+            wide.Rays(_sampleX, _sampleY, columns, _rays.Packets, _options.Width, _options.Height);
             return;
         }
 
-        for (int i = 0; i < Pixels; i++)
+        for (int i = 0; i < _rays.Count; i++)
         {
             _rays.Set(i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
         }
@@ -235,9 +266,7 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
     /// <summary>Means of the samples into the picture; what is not finite is counted and set to black.</summary>
     private void Write(int x, int y, Picture picture, int top)
     {
-        _colors.Average(_options.Samples);
         int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
-        Counters.PrimaryRays += (long)width * height * _options.Samples;
         bool isPlain = _colors.IsFinite && _options.View != RenderView.Nan;
         for (int row = 0; row < height; row++)
         {
@@ -262,6 +291,12 @@ internal sealed unsafe class TileWorker<R, F, I> : IDisposable
         for (int column = 0; _tracer.Tally is { } tally && column < pixels.Length; column++)
         {
             pixels[column] = tally.Color(Number(column, row), _options.Samples);
+        }
+
+        for (int column = 0; _options.View == RenderView.Samples && column < pixels.Length; column++)
+        {
+            int samples = _estimates?.Count(column, row) ?? _options.Samples;
+            pixels[column] = SampleHeat.Color(samples);
         }
 
         for (int column = 0; _seams is { } seams && column < pixels.Length; column++)

@@ -7,7 +7,10 @@ internal static unsafe class ViewStage
     public const SurfaceNeeds MappingNeeds = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates;
 
     /// <summary>Tells whether a view needs light to be computed.</summary>
-    public static bool IsShaded(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Cost or RenderView.Seam;
+    public static bool IsShaded(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Cost or RenderView.Seam or RenderView.Samples;
+
+    /// <summary>Tells whether a view's samples are those of the picture proper, as many as its light asks for.</summary>
+    public static bool IsColor(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Samples;
 
     /// <summary>Columns of surface points that a view reads.</summary>
     public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv

@@ -1,0 +1,26 @@
+namespace LabRaytracer;
+
+/// <summary>Where the samples of a picture lie: pattern, pixel filter and seed put together.</summary>
+internal sealed class SamplePlaces(RenderOptions options)
+{
+    private readonly PixelWarp _warp = new(options.PixelFilter);
+    private readonly SamplePattern _pattern = options.HasBudget ? SamplePattern.Sobol : options.Pattern;
+
+    /// <summary>Whether samples lie at the same place in all pixels.</summary>
+    public bool IsSame => _pattern == SamplePattern.Regular;
+
+    /// <summary>The filter.</summary>
+    public PixelWarp Warp => _warp;
+
+    /// <summary>Place of a sample along one axis, pixels from the pixel's left or top edge; outside [0, 1) if the filter is wider than the pixel.</summary>
+    /// <param name="pixelX">Column in the whole picture.</param>
+    /// <param name="pixelY">Row in the whole picture.</param>
+    /// <param name="sample">Number of the sample.</param>
+    /// <param name="axis">0 for x, 1 for y.</param>
+    public double At(int pixelX, int pixelY, int sample, int axis) => _warp.Place(_pattern switch
+    {
+        SamplePattern.Regular => SampleOffsets.Regular(options, sample, axis),
+        SamplePattern.Jittered => SampleOffsets.Jittered(options, pixelX, pixelY, sample, axis),
+        _ => SampleOffsets.Sobol(options, pixelX, pixelY, sample, axis),
+    });
+}
