@@ -62,10 +62,25 @@ public sealed class ErrorBudgetTests
     public void Render_AnyThreadsAndVectorWidth_SameBits()
     {
         Scene scene = TestScenes.Everything();
+        scene.Lights.Add(new QuadLight(new Point3D(-1, 3, 2), new Vector3D(1, 0, 0), new Vector3D(0, 0, -1), Intensity.White) { Samples = 3 });
         Picture one = Renderer.Render(scene, Options(0.02, threads: 1), 1, null, default).Picture;
         PictureAssert.SameBits(one, Renderer.Render(scene, Options(0.02, threads: 2)).Picture);
         PictureAssert.SameBits(one, Renderer.Render(scene, Options(0.02, threads: 3), 4, null, default).Picture);
         PictureAssert.SameBits(one, Renderer.Render(scene, Options(0.02, threads: 1), 8, null, default).Picture);
+    }
+
+    [Fact]
+    public void Render_SoftShadow_SamplesOfAPixelComplementOneAnother()
+    {
+        // A quarter of a small lamp is hidden at every point of the shadow's middle line; with one point of the lamp a sample, the pixel's samples must fill it together.
+        Picture Render(int samples, double budget) => Renderer.Render(SoftShadow(samples), new RenderOptions
+        {
+            Width = 30, Height = 30, Samples = 4, Pattern = SamplePattern.Sobol, ErrorBudget = budget, MaxSamples = 4, Seed = 3,
+        }).Picture;
+        Picture converged = Render(1024, 0);
+        double error = Rmse(converged, Render(4, 1)), alike = Rmse(converged, Render(4, 0));
+        Assert.InRange(error, alike / 1.3, alike * 1.3);
+        Assert.InRange(error, 0, Rmse(converged, Render(2, 0)) / 1.2);
     }
 
     [Fact]
@@ -122,6 +137,16 @@ public sealed class ErrorBudgetTests
         var scene = new Scene { Background = new Intensity(0.1f, 0.05f, 0.2f), Camera = new PerspectiveCamera(new Point3D(0, 0, 5), Point3D.Origin, 40) };
         scene.Add(new Sphere(new Point3D(0.31, 0.17, 0), 1.2), TestScenes.Shining(new Intensity(1, 0.8f, 0.3f)));
         scene.Add(new Sphere(new Point3D(-1.43, -0.29, 0.4), 0.6), TestScenes.Shining(new Intensity(0.2f, 0.5f, 1)));
+        return scene;
+    }
+
+    /// <summary>A floor half in the shadow of a square lamp.</summary>
+    private static Scene SoftShadow(int samples)
+    {
+        var scene = new Scene { Camera = TestScenes.AboveQuad() };
+        scene.Add(new Quad(), new Material { Diffuse = Intensity.White, Ambient = Intensity.Black });
+        scene.Add(new Quad(), new Material(), Transform.Translation(new Vector3D(0, 6, 1)));
+        scene.Lights.Add(new QuadLight(new Point3D(-4, 12, -4), new Vector3D(8, 0, 0), new Vector3D(0, 0, 8), Intensity.White) { Samples = samples, Sides = LightSides.Both });
         return scene;
     }
 
