@@ -1,0 +1,75 @@
+namespace LabRaytracer;
+
+/// <content>From means to the pixels of the picture.</content>
+internal sealed unsafe partial class TileWorker<R, F, I>
+{
+    /// <summary>Means of the samples into the picture; what is not finite is counted and set to black.</summary>
+    private void Write(int x, int y, Picture picture, int top)
+    {
+        int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
+        bool isPlain = _colors.IsFinite && _options.View != RenderView.Nan;
+        for (int row = 0; row < height; row++)
+        {
+            Span<Intensity> pixels = picture.Row(y - top + row).Slice(x - _area.X, width);
+            for (int first = 0; first < width; first += Block)
+            {
+                _colors.Copy(Number(first, row), pixels.Slice(first, Math.Min(Block, width - first)));
+            }
+
+            for (int column = 0; !isPlain && column < width; column++)
+            {
+                pixels[column] = Checked(pixels[column], x + column, y + row);
+            }
+
+            MarkRow(row, pixels);
+        }
+    }
+
+    /// <summary>Views that show more of a pixel than its light.</summary>
+    private void MarkRow(int row, Span<Intensity> pixels)
+    {
+        for (int column = 0; _tracer.Tally is { } tally && column < pixels.Length; column++)
+        {
+            pixels[column] = tally.Color(Number(column, row), _options.Samples);
+        }
+
+        for (int column = 0; _options.View == RenderView.Samples && column < pixels.Length; column++)
+        {
+            int samples = _estimates?.Count(column, row) ?? _options.Samples;
+            pixels[column] = SampleHeat.Color(samples);
+        }
+
+        for (int column = 0; _seams is { } seams && column < pixels.Length; column++)
+        {
+            pixels[column] = seams.IsSeam(Number(column, row), HitBatch<R, F, I>.Miss) ? new Intensity(1, 0, 0) : Dim(pixels[column]);
+        }
+    }
+
+    /// <summary>Looks at the pixels' centres and their neighbours' ones, if the view asks for it.</summary>
+    private void FindSeams(int x, int y)
+    {
+        for (int place = 0; _seams is { } seams && place < SeamMarks.Places.Count; place++)
+        {
+            (int dx, int dy) = SeamMarks.Places[place];
+            PlaceSamples(x + dx + 0.5, y + dy + 0.5);
+            AimSamples(x, y);
+            _tracer.Probe(_rays, seams.Objects(place), seams.U(place));
+        }
+    }
+
+    private static Intensity Dim(Intensity color) => Intensity.Grey(0.25f * Math.Clamp(color.Luminance, 0, 1));
+
+    /// <summary>A colour that is safe to leave the renderer; what is not finite is counted.</summary>
+    private Intensity Checked(Intensity color, int x, int y)
+    {
+        bool isFinite = color.IsFinite;
+        if (!isFinite)
+        {
+            Counters.Report(x, y);
+        }
+
+        return _options.View != RenderView.Nan ? (isFinite ? color : Intensity.Black)
+            : isFinite ? Dim(color)
+            : new Intensity(1, 0, 1);
+    }
+}
