@@ -13,11 +13,18 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     /// <summary>Up to this many bounded objects, a loop over them is faster than a tree.</summary>
     private const int FewObjects = 8;
 
+    /// <summary>Fewer bounded objects are looked at by every ray: telling which rays need not costs as much.</summary>
+    private const int LeastBundled = 3;
+
+    /// <summary>Groups of lanes in a bundle.</summary>
+    private const int BundlePackets = 32;
+
     /// <summary>Larger coordinates would overflow in the floats of the tree.</summary>
     private const double LargestCoordinate = 1e18;
 
     private readonly BvhSceneEntry<R, F, I>[] _outside;
     private readonly BvhSceneEntry<R, F, I>[] _inside;
+    private readonly BundleSearch _search;
     private readonly Bvh? _tree;
 
     /// <summary>Sorts the objects.</summary>
@@ -48,17 +55,22 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
             }
         }
 
-        if (boxed.Count > FewObjects)
+        int[] order = [.. Enumerable.Range(0, boxed.Count)];
+        if (boxed.Count < LeastBundled)
         {
-            _tree = Bvh.Build(new BvhBounds([.. boxes]), new BvhCost(ItemCost: 4, MaximumLeaf: 2), threads, out int[] order);
-            _inside = [.. order.Select(item => boxed[item])];
-            _outside = [.. outside];
+            outside.InsertRange(0, boxed);
+            boxed.Clear();
+            boxes.Clear();
+            order = [];
         }
-        else
+        else if (boxed.Count > FewObjects)
         {
-            _inside = [];
-            _outside = [.. boxed, .. outside];
+            _tree = Bvh.Build(new BvhBounds([.. boxes]), new BvhCost(ItemCost: 4, MaximumLeaf: 2), threads, out order);
         }
+
+        _inside = [.. order.Select(item => boxed[item])];
+        _outside = [.. outside];
+        _search = new BundleSearch(_tree, [.. order.Select(item => boxes[item])]);
     }
 
     /// <summary>Keeps the nearest hits of all objects in groups of lanes [firstPacket, endPacket).</summary>
@@ -82,16 +94,50 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
             entry.Visit(rays, hits, firstPacket, endPacket);
         }
 
-        if (_tree == null)
+        for (int first = firstPacket; first < endPacket && _inside.Length > 0; first += BundlePackets)
+        {
+            RunBundle(rays, hits, first, Math.Min(first + BundlePackets, endPacket));
+        }
+    }
+
+    /// <summary>Looks at the objects that a bundle may meet, the nearest one first; one group of lanes after the other where there are too many.</summary>
+    private unsafe void RunBundle(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
+    {
+        R* limits = hits == null ? rays.Limit : hits.T;
+        RayBundle bundle = RayBundle.Of(rays, limits, firstPacket, endPacket, _search.Size);
+        if (bundle.IsOff)
         {
             return;
         }
 
+        BundleCandidate* candidates = stackalloc BundleCandidate[BundleSearch.Most];
+        int count = _search.Find(bundle, candidates);
         for (int packet = firstPacket; packet < endPacket; packet++)
         {
+            if (count < 0)
+            {
+                RunPacket(rays, hits, packet);
+            }
+
+            for (int k = 0; k < count && R.Any(R.LessOrEqual(R.Of(candidates[k].Start), limits[packet])); k++)
+            {
+                _inside[candidates[k].Place].Visit(rays, hits, packet, packet + 1);
+            }
+        }
+    }
+
+    private unsafe void RunPacket(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int packet)
+    {
+        if (_tree != null)
+        {
             BvhSceneLeaf<R, F, I> leaf = new(_inside, rays, hits, packet);
-            R limit = hits == null ? rays.Limit[packet] : hits.T[packet];
-            BvhTraversal.Run<R, F, I, BvhSceneLeaf<R, F, I>>(_tree, rays.Load(packet), limit, ref leaf);
+            BvhTraversal.Run<R, F, I, BvhSceneLeaf<R, F, I>>(_tree, rays.Load(packet), hits == null ? rays.Limit[packet] : hits.T[packet], ref leaf);
+            return;
+        }
+
+        foreach (BvhSceneEntry<R, F, I> entry in _inside)
+        {
+            entry.Visit(rays, hits, packet, packet + 1);
         }
     }
 }

@@ -18,7 +18,9 @@ public sealed class RefinementTests
         Assert.InRange(statistics.HitsRefined, 1, statistics.Hits);
         Assert.Equal(statistics.Hits, counted.Surfaces);
         Assert.Equal(precision == Precision.Exact ? statistics.Hits : 0, counted.Sharpened);
-        Assert.True(counted.Candidates > 2 * statistics.Hits);
+
+        // Others were looked at and hidden, though the search leaves most of them out.
+        Assert.True(counted.Candidates > statistics.Hits);
     }
 
     [Fact]
