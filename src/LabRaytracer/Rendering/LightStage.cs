@@ -39,10 +39,12 @@ internal sealed unsafe class LightStage<R, F, I>(
         ColorColumns<F> radiance = buffers.Radiance;
         bool hasEvenSky = scene.EvenSky != Intensity.Black && !material.Diffuse.IsBlack;
         bool hasAmbient = scene.Ambient != Intensity.Black && !material.Ambient.IsBlack;
+        bool emitsFromFrontOnly = material.Material.EmitsFromFrontOnly;
+        CompiledSlot emission = material.Emission, ambient = material.Ambient, diffuse = material.Diffuse;
         for (int packet = 0; packet < packets; packet++)
         {
-            material.Emission.Read(buffers.Texels, packet, out F red, out F green, out F blue);
-            if (material.Material.EmitsFromFrontOnly)
+            emission.Read(buffers.Texels, packet, out F red, out F green, out F blue);
+            if (emitsFromFrontOnly)
             {
                 F front = ~R.MaskToSingle(buffers.Inside[packet]);
                 red &= front;
@@ -52,12 +54,12 @@ internal sealed unsafe class LightStage<R, F, I>(
 
             if (hasAmbient)
             {
-                AddEven(material, material.Ambient, scene.Ambient, packet, ref red, ref green, ref blue);
+                AddEven(material, ambient, scene.Ambient, packet, ref red, ref green, ref blue);
             }
 
             if (hasEvenSky)
             {
-                AddEven(material, material.Diffuse, scene.EvenSky, packet, ref red, ref green, ref blue);
+                AddEven(material, diffuse, scene.EvenSky, packet, ref red, ref green, ref blue);
             }
 
             radiance.R[packet] = red;
@@ -163,6 +165,7 @@ internal sealed unsafe class LightStage<R, F, I>(
 
         ColorColumns<F> radiance = buffers.Radiance;
         LightColumns<R, F> light = buffers.Light;
+        bool isPhong = shader is PhongShader;
         for (int packet = 0; packet < packets; packet++)
         {
             F visible = R.MaskToSingle(R.Less(R.Zero, buffers.ShadowRays.Limit[packet]));
@@ -172,7 +175,17 @@ internal sealed unsafe class LightStage<R, F, I>(
             }
 
             ShaderLanes<F> point = Describe(material, packet);
-            wide.Reflect(point, out F red, out F green, out F blue);
+            F red, green, blue;
+            if (isPhong)
+            {
+                // The usual model, called directly: a virtual generic method is looked up at each call.
+                PhongShader.Formula(point, out red, out green, out blue);
+            }
+            else
+            {
+                wide.Reflect(point, out red, out green, out blue);
+            }
+
             radiance.R[packet] = F.Fma(red, light.Intensity.R[packet] & visible, radiance.R[packet]);
             radiance.G[packet] = F.Fma(green, light.Intensity.G[packet] & visible, radiance.G[packet]);
             radiance.B[packet] = F.Fma(blue, light.Intensity.B[packet] & visible, radiance.B[packet]);

@@ -17,29 +17,26 @@ internal sealed class SecondaryRays(int capacity, bool hasDifferentials)
     private bool _any;
 
     /// <summary>Keeps the reflected ray of a ray.</summary>
-    public void Reflect(int ray, in SecondaryRay secondary, in RayDifferential change)
+    public void Reflect(int ray, in SecondaryRay secondary)
     {
         _reflected[ray] = secondary;
-        if (hasDifferentials)
-        {
-            _reflectedChange[ray] = change;
-        }
-
         _present[ray] |= 1;
         _any = true;
     }
 
     /// <summary>Keeps the refracted ray of a ray.</summary>
-    public void Refract(int ray, in SecondaryRay secondary, in RayDifferential change)
+    public void Refract(int ray, in SecondaryRay secondary)
     {
         _refracted[ray] = secondary;
-        if (hasDifferentials)
-        {
-            _refractedChange[ray] = change;
-        }
-
         _present[ray] |= 2;
         _any = true;
+    }
+
+    /// <summary>Keeps how the reflected and the refracted ray of a ray change from sample to sample; only where rays carry differentials.</summary>
+    public void SetChanges(int ray, in RayDifferential reflected, in RayDifferential refracted)
+    {
+        _reflectedChange[ray] = reflected;
+        _refractedChange[ray] = refracted;
     }
 
     /// <summary>Sets the rays of one layer of surfaces aside: their places are free for those of the next one.</summary>
@@ -74,30 +71,48 @@ internal sealed class SecondaryRays(int capacity, bool hasDifferentials)
             return;
         }
 
-        _layers.Sort(static (a, b) => (a.Ray, a.Turn).CompareTo((b.Ray, b.Turn)));
+        if (_layers.Count > 0)
+        {
+            _layers.Sort(static (a, b) => (a.Ray, a.Turn).CompareTo((b.Ray, b.Turn)));
+        }
+
         int layer = 0;
         for (int ray = 0; ray < count; ray++)
         {
             for (; layer < _layers.Count && _layers[layer].Ray == ray; layer++)
             {
-                queue.Add(_layers[layer].Secondary, _layers[layer].Change);
+                queue.Add(_layers[layer].Secondary);
+                queue.AddChange(_layers[layer].Change);
             }
 
-            if ((_present[ray] & 1) != 0)
-            {
-                queue.Add(_reflected[ray], Change(_reflectedChange, ray));
-            }
-
-            if ((_present[ray] & 2) != 0)
-            {
-                queue.Add(_refracted[ray], Change(_refractedChange, ray));
-            }
-
-            _present[ray] = 0;
+            Move(ray, queue);
         }
 
         _layers.Clear();
         _any = false;
+    }
+
+    private void Move(int ray, SecondaryQueue queue)
+    {
+        byte present = _present[ray];
+        if (present == 0)
+        {
+            return;
+        }
+
+        if ((present & 1) != 0)
+        {
+            queue.Add(_reflected[ray]);
+            queue.AddChange(_reflectedChange, ray);
+        }
+
+        if ((present & 2) != 0)
+        {
+            queue.Add(_refracted[ray]);
+            queue.AddChange(_refractedChange, ray);
+        }
+
+        _present[ray] = 0;
     }
 
     private RayDifferential Change(RayDifferential[] changes, int ray) => hasDifferentials ? changes[ray] : default;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Reflected and refracted rays of a group of hits (Whitted 1980).</summary>
@@ -61,13 +63,18 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             Intensity reflected = _reflected.Share(i) * weights[ray];
             if (IsFollowed(reflected))
             {
-                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], reflected, pixels[ray]), isDifferentiated ? _reflected.Differentials.Take(i) : default);
+                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], reflected, pixels[ray]));
             }
 
             Intensity refracted = isTransparent ? _refracted.Share(i) * weights[ray] : Intensity.Black;
-            if (IsFollowed(refracted))
+            if (isTransparent && IsFollowed(refracted))
             {
-                _secondary.Refract(ray, new SecondaryRay(_refracted[i], refracted, pixels[ray]), isDifferentiated ? _refracted.Differentials.Take(i) : default);
+                _secondary.Refract(ray, new SecondaryRay(_refracted[i], refracted, pixels[ray]));
+            }
+
+            if (isDifferentiated)
+            {
+                _secondary.SetChanges(ray, _reflected.Differentials.Take(i), isTransparent ? _refracted.Differentials.Take(i) : default);
             }
         }
     }
@@ -154,7 +161,20 @@ internal sealed unsafe class SecondaryStage<R, F, I>
         }
     }
 
-    private bool IsFollowed(Intensity share)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool IsFollowed(in Intensity share)
+    {
+        if (share.R >= LeastWeight && share.G >= LeastWeight && share.B >= LeastWeight)
+        {
+            _counters.SecondaryRays++;
+            return true;
+        }
+
+        return IsFollowedByMaximum(share);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool IsFollowedByMaximum(Intensity share)
     {
         if (share.Max >= LeastWeight)
         {

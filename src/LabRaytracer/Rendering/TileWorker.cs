@@ -248,7 +248,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         _hasPrimaryOrder = false;
         for (int i = 0; i < count; i++)
         {
-            SecondaryRay secondary = _queue[first + i];
+            ref readonly SecondaryRay secondary = ref _queue[first + i];
             _rays.Set(i, secondary.Ray);
             R.Put(_rays.Limit, i, double.PositiveInfinity);
             if (_rays.HasDifferentials)
