@@ -39,7 +39,7 @@ internal static class App
             SchemaVerb.Create(console),
             BenchDataVerb.Create(console, stop),
             DrawTexturesVerb.Create(console),
-            StressVerb.Create(console),
+            StressVerb.Create(console, stop),
             VersionVerb.Create(console),
         };
         foreach (Option option in root.Options.Where(option => option is not HelpOption).ToArray())

@@ -67,7 +67,8 @@ internal sealed record StressReport(StressOptions Options, IReadOnlyList<StressR
     /// <summary>The table in Markdown, for the README.</summary>
     public string ToMarkdown()
     {
-        StringBuilder text = new("| feature | rows | worst error | bound | verdict |\n|---|---|---|---|---|\n");
+        StringBuilder text = new(Options.IsLong ? Summary() + "\n" : "");
+        text.Append("| feature | rows | worst error | bound | verdict |\n|---|---|---|---|---|\n");
         foreach (StressRow row in Rows)
         {
             text.Append(CultureInfo.InvariantCulture, $"| {row.Feature} | {row.Rows} | {row.WorstText} | {row.BoundText} | {row.Verdict} |\n");
