@@ -21,7 +21,7 @@ internal static partial class Elementary
     {
         double ax = Math.Abs(x), ay = Math.Abs(y), az = Math.Abs(z);
         double sum = ax + az;
-        if (!(sum >= LeastOrdinary && sum + ay < MostOrdinary))
+        if (!(ax >= LeastOrdinary && az >= LeastOrdinary && sum + ay < MostOrdinary))
         {
             (Double1 azimuth, Double1 polar) = SphereTurnsRescaled(new Double1(x), new Double1(y), new Double1(z));
             return (azimuth.Value, polar.Value);

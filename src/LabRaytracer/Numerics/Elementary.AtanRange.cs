@@ -8,11 +8,11 @@ internal static partial class Elementary
         where T : unmanaged, IReal<T> =>
         T.Min(T.Select(T.Equal(a, a), T.Abs(a), T.Zero), T.Of(T.IsSingle ? float.MaxValue : double.MaxValue));
 
-    /// <summary>Factor for both coordinates of the azimuth: their sum and quotient stay normal.</summary>
+    /// <summary>Factor for both coordinates of the azimuth: their sum and the remainder of their quotient stay normal.</summary>
     private static T AzimuthScale<T>(T larger)
         where T : unmanaged, IReal<T>
     {
-        T scale = T.Select(T.Less(larger, Power<T>(-60, -900)), Power<T>(60, 300), T.Of(1));
+        T scale = T.Select(T.Less(larger, Power<T>(-20, -200)), Power<T>(60, 400), T.Of(1));
         return T.Select(T.Less(Power<T>(60, 900), larger), Power<T>(-60, -300), scale);
     }
 

@@ -1,4 +1,3 @@
-using LabRaytracer.Tests;
 using LabRaytracer.Tests.Architecture;
 
 namespace LabRaytracer.Validation.Tests;
