@@ -6,7 +6,7 @@ namespace LabRaytracer;
 /// <remarks>
 /// <para>phi = atan2(x, z) in [0, 2 pi), u = phi / 2 pi, v = (y + 1) / 2: lab sheet IV, section 1.1.2, with the two-argument
 /// arctangent of its Program 2 instead of atan(x / z), which folds opposite sides together.</para>
-/// <para>u in [0, 1), 0 on the axis; error at most 1 ulp (2 where x, z or u is below 1e-300 but not 0). v is correctly rounded, in [0, 1] for y in [-1, 1].
+/// <para>u in [0, 1), 0 on the axis; error at most 1 ulp. v is correctly rounded, in [0, 1] for y in [-1, 1].
 /// The seam u = 0 is the line x = 0, z &gt; 0. Any finite radius gives the same result.</para>
 /// <para>The gradient of u is (z, 0, -x) / (2 pi rho²), continuous across the seam; rho below 2^-20 counts as 2^-20, so that its length is at most 2^20 / 2 pi.</para>
 /// <list type="table">

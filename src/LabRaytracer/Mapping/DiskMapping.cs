@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>The disk of radius 1 in the plane y = 0, by angle and distance from the centre.</summary>
 /// <remarks>
 /// <para>u = phi / 2 pi with phi = atan2(x, z), v = rho with rho = sqrt(x² + z²).</para>
-/// <para>u in [0, 1), 0 at the centre; error at most 1 ulp (2 where x, z or u is below 1e-300 but not 0). v in [0, 1] on the disk, error at most 1 ulp.
+/// <para>u in [0, 1), 0 at the centre; error at most 1 ulp. v in [0, 1] on the disk, error at most 1 ulp.
 /// The centre is the bottom edge of the picture, the rim its top edge; seen from -Y the picture is not mirrored.</para>
 /// <para>The gradient of u is (z, 0, -x) / (2 pi rho²), continuous across the seam; rho below 2^-20 counts as 2^-20, so that its length is at most 2^20 / 2 pi. That of v is (x, 0, z) / rho.</para>
 /// <list type="table">

@@ -6,8 +6,7 @@ namespace LabRaytracer;
 /// <remarks>
 /// <para>u = phi / 2 pi with phi = atan2(x, z), v = 1 - theta / pi with theta = atan2(sqrt(x² + z²), y): lab sheet IV, section 1.1.3,
 /// with the polar form of theta instead of acos(y), which loses half of the digits near the poles and is undefined when rounding leaves |y| above 1.</para>
-/// <para>u in [0, 1), v in [0, 1]; both within 1 ulp for every finite point, whatever its distance from the origin
-/// (2 ulp where a coordinate or u or v, other than 0, is below 1e-300, at the end of what doubles can tell apart).
+/// <para>u in [0, 1), v in [0, 1]; both within 1 ulp for every finite point, whatever its distance from the origin.
 /// u = 0 on the axis, v = 1/2 at the origin. The seam u = 0 is the half meridian x = 0, z &gt; 0. A picture of aspect 2:1 fits.</para>
 /// <para>The gradient of u is (z, 0, -x) / (2 pi rho²) with rho = sqrt(x² + z²), continuous across the seam; rho below 2^-20 of the largest coordinate counts as that,
 /// so that on the unit sphere its length is at most 2^20 / 2 pi. That of v is (-x y, rho², -z y) / (pi rho r²), of length 1 / (pi r). Both are 0 at the origin.</para>

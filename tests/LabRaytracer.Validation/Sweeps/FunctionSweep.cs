@@ -14,7 +14,7 @@ internal sealed class FunctionSweep(StressOptions options)
         string format = R.IsSingle ? "float" : "double";
         Worst Of(string name, double bound) => new($"{name}, {format}", bound, "ulp");
         Worst sine = Of("sine, cosine of turns", 1.5), exp2 = Of("2^x", 1.5), log2 = Of("log2", 1.5), pow = Of("x^y of x in (0, 1]", R.IsSingle ? 4 : 32);
-        Parallel.For(0, options.Parts(200), part =>
+        Parallel.For(0, options.Parts(50), part =>
         {
             Draws draws = Draws.Of(options.Seed, "functions" + format, part);
             double Round(double a) => R.IsSingle ? (float)a : a;
@@ -41,7 +41,7 @@ internal sealed class FunctionSweep(StressOptions options)
     private List<StressRow> Degrees()
     {
         Worst worst = new("sine, cosine of degrees, double", 1.5, "ulp"), tangent = new("tangent of degrees, double", 3, "ulp");
-        Parallel.For(0, options.Parts(200), part =>
+        Parallel.For(0, options.Parts(50), part =>
         {
             Draws draws = Draws.Of(options.Seed, "degrees", part);
             for (int i = 0; i < PerPart; i++)
