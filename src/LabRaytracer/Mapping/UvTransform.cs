@@ -39,11 +39,35 @@ public sealed record UvTransform
         }
     }
 
+    private UvTransform(double uu, double uv, double vu, double vv, TextureCoordinate from, TextureCoordinate to)
+    {
+        (_uu, _uv, _vu, _vv) = (uu, uv, vu, vv);
+        _u0 = to.U - Math.FusedMultiplyAdd(uu, from.U, uv * from.V);
+        _v0 = to.V - Math.FusedMultiplyAdd(vu, from.U, vv * from.V);
+    }
+
     /// <summary>The transform that changes nothing.</summary>
     public static UvTransform Identity { get; } = new(new TextureCoordinate(0, 0), 0, new TextureCoordinate(1, 1), new TextureCoordinate(0, 0));
 
     /// <summary>Tells whether the transform changes nothing.</summary>
     public bool IsIdentity => this == Identity;
+
+    /// <summary>The transform that shows a picture once on a rectangle of texture space: the rectangle's corners become (0, 0) to (1, 1).</summary>
+    /// <param name="center">Centre of the rectangle; finite.</param>
+    /// <param name="size">Width and height of the rectangle before it is turned; finite, above 0.</param>
+    /// <param name="rotationDegrees">Turn of the rectangle, degrees, counter-clockwise with v up; finite. Multiples of 90 are exact.</param>
+    /// <exception cref="ArgumentException">A number is not finite, a size is not above 0, or so small that its inverse is no number.</exception>
+    public static UvTransform Placing(TextureCoordinate center, TextureCoordinate size, double rotationDegrees)
+    {
+        double perU = 1 / size.U, perV = 1 / size.V;
+        if (!(size.U > 0 && size.V > 0) || !new[] { center.U, center.V, size.U, size.V, perU, perV, rotationDegrees }.All(double.IsFinite))
+        {
+            throw new ArgumentException($"A place needs finite numbers and sizes above 0; got center {center}, size {size}, rotation {rotationDegrees}.");
+        }
+
+        (double sin, double cos) = Elementary.SinCosDegrees(rotationDegrees);
+        return new UvTransform(cos * perU, sin * perU, -sin * perV, cos * perV, center, new TextureCoordinate(0.5, 0.5));
+    }
 
     /// <summary>The transformed coordinates.</summary>
     /// <remarks>For quarter turns the error is at most 4 units of 2^-53 of the sum of the terms' magnitudes.</remarks>

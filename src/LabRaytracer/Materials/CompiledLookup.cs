@@ -8,4 +8,7 @@ internal sealed record CompiledLookup(TextureSampler? Sampler, TextureNeeds Need
 {
     /// <summary>Number of the earlier lookup whose alpha the colours are divided by, or -1.</summary>
     public int Alpha { get; init; } = -1;
+
+    /// <summary>What the colours are composed of where there is no sampler.</summary>
+    public LayerStack? Stack { get; init; }
 }

@@ -87,6 +87,21 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
     /// <param name="cutOut">Texture whose alpha cuts the surface out, or null: its colours are weighted by alpha in filters.</param>
     public CompiledSlot Compile(TextureSlot slot, ITexture? cutOut)
     {
+        CompiledSlot own = CompileOwn(slot, cutOut);
+        CompiledLayer[] layers = [.. slot.Layers.Where(layer => layer.Opacity > 0).Select(Compile)];
+        if (layers.Length == 0)
+        {
+            return own;
+        }
+
+        // The layers read lookups that are already there: the stack comes after them.
+        _keys.Add(default);
+        _lookups.Add(new CompiledLookup(null, TextureNeeds.None, -1) { Stack = new LayerStack(own, layers) });
+        return new CompiledSlot(Intensity.White, _lookups.Count - 1, BlendMode.Replace, 1);
+    }
+
+    private CompiledSlot CompileOwn(TextureSlot slot, ITexture? cutOut)
+    {
         if (slot.Texture is not { } texture || !slot.IsTextured)
         {
             return new CompiledSlot(slot.Value, -1, slot.Blend, 1);
@@ -101,6 +116,21 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
             ? AddWeighted(texture, slot.Mapping, slot.Transform)
             : Add(texture, slot.Mapping, slot.Transform, TextureUse.Color);
         return new CompiledSlot(slot.Value, lookup, slot.Blend, slot.Amount);
+    }
+
+    private CompiledLayer Compile(TextureLayer layer)
+    {
+        ITexture texture = layer.Texture;
+        int edge = layer.IsDecal ? AddCoordinates(layer.Mapping, layer.Transform) : -1;
+        if (texture.Needs == TextureNeeds.None)
+        {
+            float alpha = texture.HasAlpha ? texture.Alpha(default) : 1;
+            return new CompiledLayer(-1, -1, edge, texture.Sample(default) * alpha, alpha, layer.Blend, layer.Opacity);
+        }
+
+        int color = Add(texture, layer.Mapping, layer.Transform, texture.HasAlpha ? TextureUse.Premultiplied : TextureUse.Color);
+        int alphaLookup = texture.HasAlpha ? Add(texture, layer.Mapping, layer.Transform, TextureUse.Alpha) : -1;
+        return new CompiledLayer(color, alphaLookup, edge, Intensity.Black, 1, layer.Blend, layer.Opacity);
     }
 
     /// <summary>Reduces a number slot.</summary>
@@ -126,7 +156,7 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
     /// <returns>Its number.</returns>
     public int Add(ITexture texture, IMapping? mapping, UvTransform transform, TextureUse use)
     {
-        (ITexture, TextureUse, int) key = (texture, use, AddCoordinates(texture, mapping, transform));
+        (ITexture, TextureUse, int) key = (texture, use, (texture.Needs & TextureNeeds.Coordinate) == 0 ? -1 : AddCoordinates(mapping, transform));
         int known = _keys.IndexOf(key);
         return known >= 0 ? known : Append(key, new CompiledLookup(textures.Prepare(texture, use), textures.Needs(texture), key.Item3));
     }
@@ -149,13 +179,8 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         return _lookups.Count - 1;
     }
 
-    private int AddCoordinates(ITexture texture, IMapping? mapping, UvTransform transform)
+    private int AddCoordinates(IMapping? mapping, UvTransform transform)
     {
-        if ((texture.Needs & TextureNeeds.Coordinate) == 0)
-        {
-            return -1;
-        }
-
         CompiledCoordinates set = new(mapping ?? defaultMapping, transform);
         int index = _coordinates.IndexOf(set);
         if (index < 0)

@@ -41,6 +41,14 @@ public sealed class TextureSlot
         init => _blend = PropertyChecks.Known(value);
     }
 
+    /// <summary>Textures over the result of the slot's own one, from the bottom up: each with a mapping, transform and opacity of its own. Default: none.</summary>
+    /// <exception cref="ArgumentNullException">The list or one of its layers is null.</exception>
+    public IReadOnlyList<TextureLayer> Layers
+    {
+        get;
+        init => field = [.. PropertyChecks.NotNull(value).Select(PropertyChecks.NotNull)];
+    } = [];
+
     /// <summary>Tells whether the texture can change the coefficient: only then is it made ready and looked up.</summary>
     internal bool IsTextured => Texture is not null && Amount > 0 && !(Blend == BlendMode.Multiply && Value == Intensity.Black);
 
@@ -53,7 +61,7 @@ public sealed class TextureSlot
     /// <summary>A texture of any kind, unchanged.</summary>
     public static TextureSlot Of(ITexture texture) => new() { Texture = texture ?? throw new ArgumentNullException(nameof(texture)) };
 
-    /// <summary>The coefficient where the texture has a given colour: lerp(k, blend(k, T), amount).</summary>
+    /// <summary>The coefficient where the texture has a given colour, without layers: lerp(k, blend(k, T), amount).</summary>
     /// <param name="texel">Colour of the texture, linear.</param>
     public Intensity Apply(Intensity texel)
     {

@@ -41,6 +41,12 @@ internal static unsafe class TextureStage
         for (int k = 0; k < material.Lookups.Count; k++)
         {
             CompiledLookup lookup = material.Lookups[k];
+            if (lookup.Stack is { } stack)
+            {
+                LayerStage.Run(stack, buffers, k, packets);
+                continue;
+            }
+
             LookupBatch<R> lookups = new() { Positions = buffers.Surfaces.Positions, Count = count };
             if (lookup.Coordinates >= 0)
             {

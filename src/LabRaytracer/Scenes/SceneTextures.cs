@@ -23,6 +23,11 @@ internal static class SceneTextures
         {
             yield return (slot.Texture, slot.Texture == cutOut ? TextureUse.Premultiplied : TextureUse.Color);
         }
+
+        foreach (TextureLayer layer in slot.Layers.Where(layer => layer.Opacity > 0))
+        {
+            yield return (layer.Texture, TextureUse.Premultiplied);
+        }
     }
 
     private static IEnumerable<(ITexture Texture, TextureUse Use)> Numbers(Material material)
@@ -73,5 +78,5 @@ internal static class SceneTextures
         }
     }
 
-    private static bool IsBlack(TextureSlot slot) => slot is { Texture: null, Value: { R: 0, G: 0, B: 0 } };
+    private static bool IsBlack(TextureSlot slot) => slot is { Texture: null, Layers.Count: 0, Value: { R: 0, G: 0, B: 0 } };
 }
