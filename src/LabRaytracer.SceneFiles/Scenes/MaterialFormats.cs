@@ -48,10 +48,15 @@ internal static class MaterialFormats
     private static readonly Key<LightMapMode> s_lightMapMode = Key.Optional(
         "lightMapMode", ChoiceFormat.Of<LightMapMode>(), LightMapMode.Add, "Whether the light map adds to the lamps' light or replaces it.");
 
+    private static readonly Key<Material> s_inside = Key.Optional(
+        "inside",
+        new NameFormat<Material>("material", "materials", reading => reading.Materials),
+        "Name of a material above this one, for the side that normals point away from. Default: this one.");
+
     private static readonly ObjectFormat<Material> s_inline = new(
         "material",
         "How a surface looks: coefficients of the lighting model, each a value or a texture.",
-        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission, s_opacity, s_occlusion, s_lightMap, s_lightMapMode],
+        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission, s_opacity, s_occlusion, s_lightMap, s_lightMapMode, s_inside],
         Build);
 
     /// <summary>Named materials.</summary>
@@ -80,5 +85,6 @@ internal static class MaterialFormats
         Occlusion = fields.Get(s_occlusion),
         LightMap = fields.Get(s_lightMap),
         LightMapMode = fields.Get(s_lightMapMode),
+        Inside = fields.Find(s_inside),
     };
 }

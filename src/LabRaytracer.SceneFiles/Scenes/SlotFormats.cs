@@ -60,8 +60,40 @@ internal static class SlotFormats
     private static readonly Key<TextureChannel> s_channel = Key.Optional(
         "channel", ChoiceFormat.Of<TextureChannel>(), TextureChannel.Luminance, "Which number of the texture's colour is read.");
 
+    private static readonly Key<ITexture> s_layerTexture = Key.Required("texture", TextureFormats.Any, "Name of a texture, or a texture in place.");
+
+    private static readonly Key<double> s_layerOpacity = Key.Optional("opacity", NumberFormat.Share, 1, "Factor of the texture's alpha.");
+
+    private static readonly Key<BlendMode> s_layerBlend = Key.Optional(
+        "blend", ChoiceFormat.Of<BlendMode>(), BlendMode.Replace, "What becomes of the value k below where the layer is opaque: k T, T, k + T, or the mean of k and T.");
+
+    private static readonly Key<TextureCoordinate> s_placeCenter = Key.Required("center", Coordinates.Uv, "Centre of the picture in (u, v).");
+
+    private static readonly Key<TextureCoordinate> s_placeSize = Key.Required("size", Coordinates.Uv, "Width and height of the picture in u and v, above 0.");
+
+    private static readonly Key<double> s_placeRotate = Key.Optional("rotateDegrees", NumberFormat.Any, 0, "Turn of the picture, degrees, counter-clockwise with v up.");
+
+    private static readonly Key<UvTransform> s_place = Key.Optional(
+        "place",
+        new ObjectFormat<UvTransform>(
+            "place",
+            "Where a picture is stuck onto a surface, once.",
+            [s_placeCenter, s_placeSize, s_placeRotate],
+            fields => fields.Make(
+                s_placeSize,
+                () => UvTransform.Placing(fields.Get(s_placeCenter), fields.Get(s_placeSize), fields.Get(s_placeRotate)),
+                "no picture is that small",
+                "a width and a height above 0")),
+        "Makes the layer a decal: the texture is there once, at this place. Takes the place of transform.");
+
+    private static readonly ObjectFormat<TextureLayer> s_layer = new(
+        "layer", "A texture over what is below it.", [s_layerTexture, s_layerOpacity, s_layerBlend, s_mapping, s_transform, s_place], Layer);
+
+    private static readonly Key<IReadOnlyList<TextureLayer>> s_layers = Key.Optional(
+        "layers", new ListFormat<TextureLayer>(s_layer, "layers"), "Textures over the result, from the bottom up. Default: none.");
+
     private static readonly ObjectFormat<TextureSlot> s_colorSlot = new(
-        "colorSlot", "A colour modulated by a texture.", [s_value, s_texture, s_amount, s_blend, s_mapping, s_transform], ColorSlot);
+        "colorSlot", "A colour modulated by a texture.", [s_value, s_texture, s_amount, s_blend, s_mapping, s_transform, s_layers], ColorSlot);
 
     /// <summary>A colour coefficient.</summary>
     public static EitherFormat<TextureSlot> Color { get; } = new(
@@ -100,7 +132,26 @@ internal static class SlotFormats
         Blend = fields.Get(s_blend),
         Mapping = fields.Find(s_mapping),
         Transform = fields.Find(s_transform) ?? UvTransform.Identity,
+        Layers = fields.Find(s_layers) ?? [],
     };
+
+    private static TextureLayer? Layer(Fields fields)
+    {
+        if (fields.Has(s_place) && fields.Has(s_transform))
+        {
+            fields.Fail(s_transform, "a layer has one transform", "place or transform");
+            return null;
+        }
+
+        return new TextureLayer(fields.Get(s_layerTexture))
+        {
+            Opacity = (float)fields.Get(s_layerOpacity),
+            Blend = fields.Get(s_layerBlend),
+            Mapping = fields.Find(s_mapping),
+            Transform = fields.Find(s_place) ?? fields.Find(s_transform) ?? UvTransform.Identity,
+            IsDecal = fields.Has(s_place),
+        };
+    }
 
     private static ScalarSlot NumberSlot(Fields fields, double value) => new()
     {

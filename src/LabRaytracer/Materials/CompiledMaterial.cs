@@ -12,6 +12,7 @@ internal sealed class CompiledMaterial
         Material = material;
         DefaultMapping = defaultMapping;
         Textures = new LookupList(defaultMapping, textures);
+        Inside = material.Inside is { } inside ? new CompiledMaterial(inside, defaultMapping, textures) : null;
         Opacity = CompiledOpacity.Of(material, defaultMapping, textures);
         ITexture? cutOut = Opacity is not null && material.Opacity.Channel == TextureChannel.Alpha ? material.Opacity.Texture : null;
         CompiledSlot Slot(TextureSlot slot) => Textures.Compile(slot, cutOut);
@@ -74,6 +75,9 @@ internal sealed class CompiledMaterial
     /// <summary>Textures and mappings of all slots but the opacity.</summary>
     public LookupList Textures { get; }
 
+    /// <summary>The material of the side that normals point away from; null where it is the same.</summary>
+    public CompiledMaterial? Inside { get; }
+
     /// <summary>Distinct textures.</summary>
     public IReadOnlyList<CompiledLookup> Lookups => Textures.Lookups;
 
@@ -84,7 +88,8 @@ internal sealed class CompiledMaterial
     public SurfaceNeeds Needs => Textures.Needs;
 
     /// <summary>Textures and mappings by what is computed at once.</summary>
-    public IEnumerable<LookupList> AllTextures => Opacity is null ? [Textures] : [Textures, Opacity.Lookups];
+    public IEnumerable<LookupList> AllTextures =>
+        new[] { Textures, Opacity?.Lookups }.OfType<LookupList>().Concat(Inside?.AllTextures ?? []);
 
     /// <summary>What must be known of steps on the surface if rays carry differentials; how normals bend is told by the local point.</summary>
     public StepNeeds Steps => Textures.Steps | (HasSecondaryRays ? StepNeeds.Normal : StepNeeds.None);

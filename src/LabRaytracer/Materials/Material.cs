@@ -61,6 +61,12 @@ public sealed class Material
     /// <summary>Whether the light map adds to the lamps' light (default) or replaces it.</summary>
     public LightMapMode LightMapMode { get; init => field = PropertyChecks.Known(value); }
 
+    /// <summary>
+    /// Material of the other side, which normals point away from: the inside of a vase, the back of a page. Null (default): the same.
+    /// </summary>
+    /// <remarks>Its own opacity and inside do not count: whether something is there is a matter of the surface, not of its sides.</remarks>
+    public Material? Inside { get; init; }
+
     /// <summary>The lighting model. Default: Phong.</summary>
     public IShader Shader { get; init => field = PropertyChecks.NotNull(value); } = PhongShader.Default;
 

@@ -18,6 +18,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private readonly SurfaceNeeds _needs;
     private readonly PixelSampling? _sampling;
     private readonly AlphaCamera<R, F, I>? _alpha;
+    private readonly SideSplit<R, F, I>? _sides;
 
     public BatchTracer(
         CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity, PixelSampling? sampling)
@@ -43,6 +44,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
             ? null
             : new EnvironmentStage<R, F, I>(scene, places!, counters, memory, capacity);
         LampSampler<R, F, I> lamps = new(scene, _buffers, places, skies);
+        _sides = scene.Keys.Any(key => key.Material.Inside is not null) ? new SideSplit<R, F, I>(memory, capacity) : null;
         _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), counters, memory, capacity);
         _lights = new LightStage<R, F, I>(scene, _buffers, lamps, counters, Tally, AlphaShadows<R, F, I>.Of(scene, counters, memory, capacity));
     }
@@ -178,7 +180,35 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private void Shade(
         ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int depth, Intensity[] weights, R* travelled = null)
     {
-        CompiledMaterial material = key.Material;
+        if (key.Material.Inside is not { } inside || _sides is null)
+        {
+            ShadeSide(key.Material, key, rays, hits, order, count, depth, weights, travelled);
+            return;
+        }
+
+        key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, SurfaceNeeds.None);
+        ViewerStage.Run(rays, hits, order, count, _buffers);
+        _sides.Run(order, count, _buffers.Inside);
+        ShadeSide(key.Material, key, rays, hits, _sides.Outside, _sides.OutsideCount, depth, weights, travelled);
+        ShadeSide(inside, key, rays, hits, _sides.Inside, _sides.InsideCount, depth, weights, travelled);
+    }
+
+    private void ShadeSide(
+        CompiledMaterial material,
+        ShadingKey<R, F, I> key,
+        RayBatch<R, F, I> rays,
+        HitBatch<R, F, I> hits,
+        int* order,
+        int count,
+        int depth,
+        Intensity[] weights,
+        R* travelled)
+    {
+        if (count == 0)
+        {
+            return;
+        }
+
         StepNeeds steps = HasDifferentials ? material.Steps : StepNeeds.None;
         SurfaceNeeds stepColumns = (steps & StepNeeds.Normal) != 0 ? SurfaceNeeds.LocalPoint : SurfaceNeeds.None;
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs | stepColumns);

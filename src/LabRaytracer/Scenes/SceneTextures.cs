@@ -6,9 +6,17 @@ internal static class SceneTextures
     /// <summary>Textures of the objects' materials and of the background, with what is read of them; some may repeat.</summary>
     public static IEnumerable<(ITexture Texture, TextureUse Use)> Used(Scene scene)
     {
-        Material[] materials = [.. scene.Objects.Select(item => item.Material).Distinct()];
+        Material[] materials = [.. scene.Objects.Select(item => item.Material).Distinct().SelectMany(WithInside).Distinct()];
         return materials.SelectMany(Colors).Concat(materials.SelectMany(Numbers)).Concat(Colors(scene.Background, null))
             .Concat(scene.Lights.OfType<EnvironmentLight>().SelectMany(light => Colors(light.Radiance, null)));
+    }
+
+    private static IEnumerable<Material> WithInside(Material material)
+    {
+        for (Material? side = material; side is not null; side = side.Inside)
+        {
+            yield return side;
+        }
     }
 
     private static IEnumerable<(ITexture Texture, TextureUse Use)> Colors(Material material)
