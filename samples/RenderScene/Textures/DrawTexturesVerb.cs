@@ -21,6 +21,18 @@ internal static class DrawTexturesVerb
                 console.Output.WriteLine(Path.Combine(target, name));
             }
 
+            foreach ((string name, Func<Picture> draw) in ReliefPictures.All)
+            {
+                draw().Save(Path.Combine(target, name), new PictureSaveOptions { Encoding = TransferFunction.Linear });
+                console.Output.WriteLine(Path.Combine(target, name));
+            }
+
+            foreach ((string name, Func<byte[]> draw) in CutOutPictures.All)
+            {
+                File.WriteAllBytes(Path.Combine(target, name), draw());
+                console.Output.WriteLine(Path.Combine(target, name));
+            }
+
             return ExitCode.Done;
         });
         return command;

@@ -18,7 +18,7 @@ internal static class TexturePictures
     };
 
     /// <summary>Draws a picture of a colour function of (u, v), v up: the mean of 3 x 3 points in each texel.</summary>
-    private static Picture Draw(int width, int height, Func<float, float, Intensity> color)
+    public static Picture Draw(int width, int height, Func<float, float, Intensity> color)
     {
         Picture picture = new(width, height);
         Parallel.For(0, height, y =>

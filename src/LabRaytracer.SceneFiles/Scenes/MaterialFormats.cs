@@ -48,6 +48,13 @@ internal static class MaterialFormats
     private static readonly Key<LightMapMode> s_lightMapMode = Key.Optional(
         "lightMapMode", ChoiceFormat.Of<LightMapMode>(), LightMapMode.Add, "Whether the light map adds to the lamps' light or replaces it.");
 
+    private static readonly Key<ScalarSlot> s_bump = Key.Optional(
+        "bump",
+        SlotFormats.Number("bumpSlot", new NumberFormat { Min = -1e6, Max = 1e6 }, 1),
+        "Heights that tilt the normal as if the surface were raised; value is the height, scene units, where the texture is 1. Default: smooth.");
+
+    private static readonly Key<NormalMap> s_normalMap = Key.Optional("normalMap", SlotFormats.NormalMap, "Normals in tangent space. Default: the surface's own.");
+
     private static readonly Key<Material> s_inside = Key.Optional(
         "inside",
         new NameFormat<Material>("material", "materials", reading => reading.Materials),
@@ -56,7 +63,7 @@ internal static class MaterialFormats
     private static readonly ObjectFormat<Material> s_inline = new(
         "material",
         "How a surface looks: coefficients of the lighting model, each a value or a texture.",
-        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission, s_opacity, s_occlusion, s_lightMap, s_lightMapMode, s_inside],
+        [s_ambient, s_diffuse, s_specular, s_shininess, s_reflection, s_transparency, s_indexOfRefraction, s_fresnel, s_emission, s_opacity, s_occlusion, s_lightMap, s_lightMapMode, s_bump, s_normalMap, s_inside],
         Build);
 
     /// <summary>Named materials.</summary>
@@ -85,6 +92,8 @@ internal static class MaterialFormats
         Occlusion = fields.Get(s_occlusion),
         LightMap = fields.Get(s_lightMap),
         LightMapMode = fields.Get(s_lightMapMode),
+        Bump = fields.Find(s_bump),
+        NormalMap = fields.Find(s_normalMap),
         Inside = fields.Find(s_inside),
     };
 }

@@ -104,6 +104,31 @@ internal static class SlotFormats
         (NodeKind.Object, s_colorSlot))
     { Name = "coefficient" };
 
+    private static readonly Key<double> s_strength = Key.Optional("strength", new NumberFormat { Min = 0, Max = 1000 }, 1, "Factor of the normals' x and y: 0 is flat.");
+
+    private static readonly Key<bool> s_flipGreen = Key.Optional("flipGreen", SwitchFormat.Instance, false, "Whether green points down (DirectX) instead of up (OpenGL, glTF).");
+
+    private static readonly Key<bool> s_rebuildZ = Key.Optional("rebuildZ", SwitchFormat.Instance, false, "Whether z is computed from x and y instead of read from blue.");
+
+    private static readonly ObjectFormat<NormalMap> s_normalMap = new(
+        "normalMap",
+        "Normals in tangent space: red to the right, green up, blue out of the surface.",
+        [s_layerTexture, s_strength, s_flipGreen, s_rebuildZ, s_mapping, s_transform],
+        fields => new NormalMap(fields.Get(s_layerTexture))
+        {
+            Strength = (float)fields.Get(s_strength),
+            FlipGreen = fields.Get(s_flipGreen),
+            RebuildZ = fields.Get(s_rebuildZ),
+            Mapping = fields.Find(s_mapping),
+            Transform = fields.Find(s_transform) ?? UvTransform.Identity,
+        });
+
+    /// <summary>A normal map.</summary>
+    public static EitherFormat<NormalMap> NormalMap { get; } = new(
+        "the name of a texture, an object { texture, strength, flipGreen, ... }",
+        (NodeKind.Text, new MappedFormat<ITexture, NormalMap>(TextureFormats.Name, texture => new NormalMap(texture))),
+        (NodeKind.Object, s_normalMap));
+
     /// <summary>A number coefficient.</summary>
     /// <param name="name">Name in the schema.</param>
     /// <param name="range">What the number may be.</param>

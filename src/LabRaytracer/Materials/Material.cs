@@ -62,6 +62,19 @@ public sealed class Material
     public LightMapMode LightMapMode { get; init => field = PropertyChecks.Known(value); }
 
     /// <summary>
+    /// Heights of the surface, scene units: the normal tilts as if the surface were raised by them along its normal (Blinn 1978). With the default blend,
+    /// <see cref="ScalarSlot.Value"/> is the height where the texture is 1. Null (default): smooth.
+    /// </summary>
+    /// <remarks>
+    /// The surface itself stays where it is: outlines and shadows are those of the smooth shape. The tilt does not depend on how the texture is stretched over the
+    /// surface, only on the relief that results.
+    /// </remarks>
+    public ScalarSlot? Bump { get; init; }
+
+    /// <summary>Normals of the surface in tangent space. Null (default): its own. A <see cref="Bump"/> comes on top of it.</summary>
+    public NormalMap? NormalMap { get; init; }
+
+    /// <summary>
     /// Material of the other side, which normals point away from: the inside of a vase, the back of a page. Null (default): the same.
     /// </summary>
     /// <remarks>Its own opacity and inside do not count: whether something is there is a matter of the surface, not of its sides.</remarks>

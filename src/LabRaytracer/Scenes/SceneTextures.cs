@@ -40,6 +40,11 @@ internal static class SceneTextures
 
     private static IEnumerable<(ITexture Texture, TextureUse Use)> Numbers(Material material)
     {
+        if (material.NormalMap is { } map)
+        {
+            yield return (map.Texture, TextureUse.Data);
+        }
+
         foreach (ScalarSlot slot in NumberSlots(material))
         {
             if (slot.Texture is not null && slot.Amount > 0)
@@ -70,6 +75,11 @@ internal static class SceneTextures
     private static IEnumerable<ScalarSlot> NumberSlots(Material material)
     {
         yield return material.Opacity;
+        if (material.Bump is not null)
+        {
+            yield return material.Bump;
+        }
+
         if (material.Shader.UsesSpecular && !IsBlack(material.Specular))
         {
             yield return material.Shininess;

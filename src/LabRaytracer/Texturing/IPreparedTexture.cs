@@ -10,4 +10,12 @@ internal interface IPreparedTexture : ITexture
     /// <param name="use">What is read of it; alpha only of a texture that has one.</param>
     /// <param name="filter">Filter that overrides the texture's own, or null.</param>
     TextureSampler Prepare(TextureUse use, TextureFilter? filter);
+
+    /// <summary>Makes the slopes of the texture's heights ready. Default: differences of lookups.</summary>
+    /// <param name="channel">Which channel is the height.</param>
+    /// <param name="wrapU">Wrap in u that the mapping suggests.</param>
+    /// <param name="wrapV">Wrap in v that the mapping suggests.</param>
+    /// <param name="filter">Filter that overrides the texture's own, or null.</param>
+    TextureSampler PrepareSlopes(TextureChannel channel, TextureWrap wrapU, TextureWrap wrapV, TextureFilter? filter) => new SlopeSampler(
+        Prepare(channel == TextureChannel.Alpha ? TextureUse.Alpha : TextureUse.Data, filter), channel, (Needs & TextureNeeds.Coordinate) == 0);
 }

@@ -163,6 +163,12 @@ public sealed class Texture : IPreparedTexture
     TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
         PictureSamplers.Create(IsAsLoaded() ? _store!.Value : Pack(_colorMap!), use, Sampling, filter ?? Sampling.Filter);
 
+    TextureSampler IPreparedTexture.PrepareSlopes(TextureChannel channel, TextureWrap wrapU, TextureWrap wrapV, TextureFilter? filter)
+    {
+        TexelStore slopes = SlopePicture.Create(IsAsLoaded() ? _store!.Value : Pack(_colorMap!), channel, Sampling, wrapU, wrapV);
+        return PictureSamplers.Create(slopes, TextureUse.Data, Sampling, filter ?? Sampling.Filter);
+    }
+
     /// <summary>
     /// Tells whether the file's texels are the truth: nobody read the array, or nobody changed it since. So a mere look at <see cref="ColorMap"/>
     /// costs no memory in a render, and a data slot still gets the file's numbers.

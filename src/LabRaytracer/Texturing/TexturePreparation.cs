@@ -5,6 +5,7 @@ namespace LabRaytracer;
 internal sealed class TexturePreparation(TextureFilter? filter)
 {
     private readonly Dictionary<(ITexture Texture, TextureUse Use), TextureSampler> _samplers = [];
+    private readonly Dictionary<(ITexture Texture, TextureChannel Channel, TextureWrap WrapU, TextureWrap WrapV), TextureSampler> _slopes = [];
 
     /// <summary>Number of textures made ready.</summary>
     public int Count => _samplers.Count;
@@ -42,6 +43,25 @@ internal sealed class TexturePreparation(TextureFilter? filter)
         {
             sampler = Create(texture, use);
             _samplers[(texture, use)] = sampler;
+        }
+
+        return sampler;
+    }
+
+    /// <summary>The slopes of a texture's heights made ready.</summary>
+    /// <param name="texture">The texture.</param>
+    /// <param name="channel">Which channel is the height.</param>
+    /// <param name="mapping">The mapping whose wraps it has by default.</param>
+    public TextureSampler PrepareSlopes(ITexture texture, TextureChannel channel, IMapping mapping)
+    {
+        (ITexture, TextureChannel, TextureWrap, TextureWrap) key = (texture, channel, mapping.DefaultWrapU, mapping.DefaultWrapV);
+        if (!_slopes.TryGetValue(key, out TextureSampler? sampler))
+        {
+            TextureUse use = channel == TextureChannel.Alpha ? TextureUse.Alpha : TextureUse.Data;
+            sampler = texture is IPreparedTexture prepared
+                ? prepared.PrepareSlopes(channel, mapping.DefaultWrapU, mapping.DefaultWrapV, filter)
+                : new SlopeSampler(new CustomSampler(texture, use), channel, (texture.Needs & TextureNeeds.Coordinate) == 0);
+            _slopes[key] = sampler;
         }
 
         return sampler;
