@@ -27,6 +27,7 @@ internal sealed class CompiledMaterial
         Emission = Slot(material.Emission);
         Occlusion = Number(material.Occlusion, !Ambient.IsBlack);
         LightMap = Diffuse.IsBlack ? new CompiledSlot(Intensity.Black, -1, default, 1) : Slot(material.LightMap);
+        Relief = CompiledRelief.Of(material, Textures);
         ConstantSlots = new[]
         {
             Diffuse.Lookup, Ambient.Lookup, Specular.Lookup, Shininess.Lookup, Reflection.Lookup, Transparency.Lookup, IndexOfRefraction.Lookup, Emission.Lookup,
@@ -71,6 +72,9 @@ internal sealed class CompiledMaterial
 
     /// <summary>How much of the surface is there; null where all of it.</summary>
     public CompiledOpacity? Opacity { get; }
+
+    /// <summary>What tilts the normals; null if nothing does.</summary>
+    public CompiledRelief? Relief { get; }
 
     /// <summary>Textures and mappings of all slots but the opacity.</summary>
     public LookupList Textures { get; }

@@ -95,9 +95,8 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         }
 
         // The layers read lookups that are already there: the stack comes after them.
-        _keys.Add(default);
-        _lookups.Add(new CompiledLookup(null, TextureNeeds.None, -1) { Stack = new LayerStack(own, layers) });
-        return new CompiledSlot(Intensity.White, _lookups.Count - 1, BlendMode.Replace, 1);
+        int stack = Append(default, new CompiledLookup(null, TextureNeeds.None, -1) { Stack = new LayerStack(own, layers) });
+        return new CompiledSlot(Intensity.White, stack, BlendMode.Replace, 1);
     }
 
     private CompiledSlot CompileOwn(TextureSlot slot, ITexture? cutOut)
@@ -161,6 +160,17 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         return known >= 0 ? known : Append(key, new CompiledLookup(textures.Prepare(texture, use), textures.Needs(texture), key.Item3));
     }
 
+    /// <summary>Adds the slopes of heights.</summary>
+    /// <param name="bump">Heights; with a texture.</param>
+    /// <returns>Number of the lookup.</returns>
+    public int AddSlopes(ScalarSlot bump)
+    {
+        ITexture texture = bump.Texture!;
+        IMapping mapping = bump.Mapping ?? defaultMapping;
+        int coordinates = (texture.Needs & TextureNeeds.Coordinate) == 0 ? -1 : AddCoordinates(mapping, bump.Transform);
+        return Append(default, new CompiledLookup(textures.PrepareSlopes(texture, bump.Channel, mapping), textures.Needs(texture), coordinates));
+    }
+
     /// <summary>Adds the colour of a texture with alpha, weighted by alpha: filtered colour times alpha over filtered alpha.</summary>
     private int AddWeighted(ITexture texture, IMapping? mapping, UvTransform transform)
     {
@@ -179,7 +189,9 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         return _lookups.Count - 1;
     }
 
-    private int AddCoordinates(IMapping? mapping, UvTransform transform)
+    /// <summary>Adds a coordinate set, or finds it.</summary>
+    /// <returns>Its number.</returns>
+    public int AddCoordinates(IMapping? mapping, UvTransform transform)
     {
         CompiledCoordinates set = new(mapping ?? defaultMapping, transform);
         int index = _coordinates.IndexOf(set);

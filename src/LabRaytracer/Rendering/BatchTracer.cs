@@ -19,6 +19,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private readonly PixelSampling? _sampling;
     private readonly AlphaCamera<R, F, I>? _alpha;
     private readonly SideSplit<R, F, I>? _sides;
+    private readonly ReliefStage<R, F, I>? _relief;
 
     public BatchTracer(
         CompiledScene<R, F, I> scene, RenderOptions options, LaneMemory memory, WorkerCounters counters, int capacity, PixelSampling? sampling)
@@ -44,6 +45,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
             ? null
             : new EnvironmentStage<R, F, I>(scene, places!, counters, memory, capacity);
         LampSampler<R, F, I> lamps = new(scene, _buffers, places, skies);
+        _relief = ReliefStage<R, F, I>.Of(scene, _buffers, memory, capacity);
         _sides = scene.Keys.Any(key => key.Material.Inside is not null) ? new SideSplit<R, F, I>(memory, capacity) : null;
         _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), counters, memory, capacity);
         _lights = new LightStage<R, F, I>(scene, _buffers, lamps, counters, Tally, AlphaShadows<R, F, I>.Of(scene, counters, memory, capacity));
@@ -223,6 +225,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         if (ViewStage.IsShaded(_options.View))
         {
             TextureStage.Run(material, _buffers, count, Counters);
+            Tilt(material, key, rays, hits, order, count);
             _lights.Run(material, order, count);
             if (material.HasSecondaryRays && depth < _options.MaxDepth)
             {
@@ -231,11 +234,27 @@ internal sealed unsafe class BatchTracer<R, F, I>
         }
         else
         {
+            if (_options.View == RenderView.Normal && material.Relief is not null)
+            {
+                TextureStage.Run(material, _buffers, count, Counters);
+                Tilt(material, key, rays, hits, order, count);
+            }
+
             ViewStage.Run(_options.View, hits, travelled, order, count, material, _buffers);
         }
 
         Scatter(order, count);
         Counters.Charge(RenderStage.Combine);
+    }
+
+    /// <summary>Tilts normals by heights and normal maps, if the material has any.</summary>
+    private void Tilt(CompiledMaterial material, ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count)
+    {
+        if (material.Relief is not null)
+        {
+            _relief!.Run(material, key.Group, rays, hits, order, count);
+            Counters.Charge(RenderStage.Surface);
+        }
     }
 
     /// <summary>Radiance of a group back into the order of the batch.</summary>

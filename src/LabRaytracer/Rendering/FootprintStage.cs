@@ -87,18 +87,24 @@ internal static unsafe class FootprintStage
         {
             if (material.NeedsFootprint(set))
             {
-                Map(material.Coordinates[set], narrow, buffers, set, count);
+                Map(material.Coordinates[set], narrow, buffers.Surfaces, buffers.Footprints!, set, count);
             }
         }
     }
 
-    /// <summary>Footprints of one coordinate set.</summary>
-    private static void Map<R, F, I>(in CompiledCoordinates set, in PositionBatch<F> narrow, ShadingBuffers<R, F, I> buffers, int number, int count)
+    /// <summary>Changes of one coordinate set over the steps on the surfaces.</summary>
+    /// <param name="set">The mapping.</param>
+    /// <param name="narrow">Positions rounded to float.</param>
+    /// <param name="surfaces">The same as they are.</param>
+    /// <param name="footprints">The steps; receives the changes.</param>
+    /// <param name="number">Number of the coordinate set.</param>
+    /// <param name="count">How many hits.</param>
+    public static void Map<R, F, I>(
+        in CompiledCoordinates set, in PositionBatch<F> narrow, SurfaceBatch<R, F, I> surfaces, FootprintBuffers<R, F, I> footprints, int number, int count)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        FootprintBuffers<R, F, I> footprints = buffers.Footprints!;
         int packets = (count + R.Width - 1) / R.Width;
         if (set.Mapping is IWideMapping wide)
         {
@@ -108,7 +114,7 @@ internal static unsafe class FootprintStage
         {
             for (int i = 0; i < count; i++)
             {
-                SurfacePosition position = ViewStage.Position(buffers.Surfaces, i) with { SurfaceGradient = footprints.Steps.SurfaceGradient.Take(i) };
+                SurfacePosition position = ViewStage.Position(surfaces, i) with { SurfaceGradient = footprints.Steps.SurfaceGradient.Take(i) };
                 footprints.Gradients.Put(i, set.Mapping.Gradient(position));
             }
         }

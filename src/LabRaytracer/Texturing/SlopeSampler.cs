@@ -10,7 +10,7 @@ namespace LabRaytracer;
 internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel channel, bool isLocal) : TextureSampler
 {
     /// <summary>The step to either side, texture or local units: fine enough for a thousand details, coarse enough for heights in float.</summary>
-    public const double Step = 1.0 / 4096;
+    public const double Step = 1.0 / 2048;
 
     [SkipLocalsInit]
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
