@@ -28,7 +28,8 @@ internal sealed class MtlDraft(string name, int offset)
     /// <summary>The material.</summary>
     /// <remarks>
     /// illum 0 shows the diffuse colour without light, 1 has no highlight, 3 to 7 mirror with Ks, 5 and 7 by the angle; with 4, 6, 7 and 9, which are glass, the
-    /// transparency is (1 - d) Tf, otherwise d and map_d are the opacity. map_d reads luminance, but alpha where it is the picture of map_Kd.
+    /// transparency is (1 - d) Tf, otherwise d and map_d are the opacity. bump is the height -bm, 0.02 scene
+    /// units if that is not given. map_d reads luminance, but alpha where it is the picture of map_Kd.
     /// </remarks>
     public Material Build()
     {
@@ -47,6 +48,8 @@ internal sealed class MtlDraft(string name, int offset)
             Opacity = Number("map_d", isGlass ? 1 : Opacity),
             IndexOfRefraction = IndexOfRefraction,
             Fresnel = Illumination is 5 or 7 ? FresnelModel.Dielectric : FresnelModel.None,
+            Bump = Maps.TryGetValue("bump", out MtlMap? bump) ? Number("bump", bump.BumpHeight) : null,
+            NormalMap = Maps.TryGetValue("norm", out MtlMap? normals) ? new NormalMap(normals.Texture) { Transform = normals.Transform } : null,
             Emission = Illumination == 0 ? diffuse : Slot("Ke", Intensity.Black),
         };
     }
@@ -68,4 +71,8 @@ internal sealed class MtlDraft(string name, int offset)
 /// <param name="Texture">The picture.</param>
 /// <param name="Transform">Options -s and -o.</param>
 /// <param name="Channel">Option -imfchan; null where it is not there.</param>
-internal sealed record MtlMap(Texture Texture, UvTransform Transform, TextureChannel? Channel);
+internal sealed record MtlMap(Texture Texture, UvTransform Transform, TextureChannel? Channel)
+{
+    /// <summary>Option -bm, for bump maps: height where the picture is 1, scene units.</summary>
+    public double BumpHeight { get; init; }
+}

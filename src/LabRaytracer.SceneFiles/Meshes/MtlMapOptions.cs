@@ -18,6 +18,9 @@ internal sealed class MtlMapOptions
     /// <summary>Option -imfchan; null where it is not there.</summary>
     public TextureChannel? Channel { get; private set; }
 
+    /// <summary>Option -bm: height of a bump map where it is 1, scene units.</summary>
+    public double BumpHeight { get; private set; } = 0.02;
+
     /// <summary>Option -clamp; without it a picture repeats.</summary>
     public SamplingOptions Sampling
     {
@@ -38,7 +41,8 @@ internal sealed class MtlMapOptions
             "-s" => TryNumbers(ref ahead, 1, out _scale),
             "-o" => TryNumbers(ref ahead, 0, out _offset),
             "-t" => TryNumbers(ref ahead, 0, out _),
-            "-bm" or "-boost" or "-texres" => ahead.TryNumber(out _),
+            "-bm" => TryHeight(ref ahead),
+            "-boost" or "-texres" => ahead.TryNumber(out _),
             "-mm" => ahead.TryNumber(out _) && ahead.TryNumber(out _),
             "-clamp" => TrySwitch(ref ahead, out _clamp),
             "-blendu" or "-blendv" or "-cc" => TrySwitch(ref ahead, out _),
@@ -64,6 +68,13 @@ internal sealed class MtlMapOptions
         }
 
         return Array.TrueForAll(numbers, number => Math.Abs(number) <= 1e9);
+    }
+
+    private bool TryHeight(ref LineText line)
+    {
+        bool good = line.TryNumber(out double height) && Math.Abs(height) <= 1e6;
+        BumpHeight = height;
+        return good;
     }
 
     private static bool TrySwitch(ref LineText line, out bool on)

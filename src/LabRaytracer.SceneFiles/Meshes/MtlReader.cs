@@ -10,13 +10,13 @@ namespace LabRaytracer;
 /// <param name="places">Where the places of materials and textures are noted.</param>
 internal sealed class MtlReader(SceneSource source, string from, SceneFolder folder, SceneSourceMap places)
 {
-    private const string Words = "newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns, map_d";
+    private const string Words = "newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns, map_d, map_bump, bump, norm";
 
     // What materials here have no coefficient for.
     private static readonly HashSet<string> s_ignored = new(StringComparer.Ordinal)
     {
-        "map_bump", "map_Bump", "bump", "disp", "decal", "refl", "norm", "map_Tr", "map_Pr", "map_Pm", "map_Ps", "map_refl", "map_opacity", "map_aat", "map_Disp",
-        "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness", "Km", "map_Ni", "map_Tf", "map_norm", "map_Norm", "map_RMA", "map_ORM",
+        "disp", "decal", "refl", "map_Tr", "map_Pr", "map_Pm", "map_Ps", "map_refl", "map_opacity", "map_aat", "map_Disp",
+        "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness", "Km", "map_Ni", "map_Tf", "map_RMA", "map_ORM",
     };
 
     private readonly List<MtlDraft> _drafts = [];
@@ -97,6 +97,12 @@ internal sealed class MtlReader(SceneSource source, string from, SceneFolder fol
             case "map_Kd" or "map_Ks" or "map_Ka" or "map_Ke" or "map_Ns" or "map_d":
                 ReadMap(word, ref line, draft);
                 break;
+            case "map_bump" or "map_Bump" or "bump":
+                ReadMap("bump", ref line, draft);
+                break;
+            case "norm" or "map_norm" or "map_Norm":
+                ReadMap("norm", ref line, draft);
+                break;
             default:
                 Mistake(first, $"unknown word {Wording.Quote(word)}{Wording.Suggestion(word, Words.Split(", "))}", Words);
                 break;
@@ -156,7 +162,7 @@ internal sealed class MtlReader(SceneSource source, string from, SceneFolder fol
 
         Texture texture = folder.Open(path).With(options.Sampling);
         places.Note(texture, source, at);
-        draft.Maps[word] = new MtlMap(texture, options.Transform, options.Channel);
+        draft.Maps[word] = new MtlMap(texture, options.Transform, options.Channel) { BumpHeight = options.BumpHeight };
     }
 
     private static void SkipWord(ref LineText line, string word)

@@ -76,13 +76,32 @@ public sealed class MtlTests
     }
 
     [Theory]
+    [InlineData("bump p.ppm", 0.02f)]
+    [InlineData("map_bump -bm 0.5 -imfchan r p.ppm", 0.5f)]
+    [InlineData("map_Bump -bm -0.25 p.ppm", -0.25f)]
+    public void Load_Bump_IsAHeight(string line, float height)
+    {
+        ScalarSlot bump = Load("newmtl m\n" + line + "\n").Bump!;
+        Assert.IsType<Texture>(bump.Texture);
+        Assert.Equal(height, bump.Value);
+    }
+
+    [Fact]
+    public void Load_Norm_IsANormalMap()
+    {
+        Material material = Load("newmtl m\nnorm -s 2 3 p.ppm\n");
+        Assert.Null(material.Bump);
+        Assert.Equal(new TextureCoordinate(2, 3), material.NormalMap!.Transform.Apply(new TextureCoordinate(1, 1)));
+    }
+
+    [Theory]
     [InlineData("newmtl m\nKd 1 x 1", "2:6: 'x' does not fit; allowed: one or three numbers of at least 0")]
     [InlineData("newmtl m\nd 2", "2:3: '2' does not fit; allowed: a number from 0 to 1")]
     [InlineData("newmtl m\nNi nan", "2:4: 'nan' does not fit; allowed: a number from 0.01 to 100")]
     [InlineData("newmtl m\nmap_Kd q.ppm", "2:8: the file 'q.ppm' does not exist, did you mean 'p.ppm'; allowed: the path of a picture, relative to the folder of this file")]
     [InlineData("newmtl m\nmap_Kd -clmp on p.ppm", "2:8: '-clmp' does not fit; allowed: " + "-s u v w, -o u v w, -clamp on|off, -imfchan r|g|b|l|m|z, -blendu, -blendv, -cc on|off, -bm, -boost, -texres number, -mm base gain, -t u v w")]
     [InlineData("newmtl m\nmap_Kd C:\\p.ppm", "2:8: the file 'C:/p.ppm' has an absolute path; allowed: the path of a picture, relative to the folder of this file")]
-    [InlineData("newmtl m\nmap_Kq p.ppm", "2:1: unknown word 'map_Kq', did you mean 'map_Kd'; allowed: newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns, map_d")]
+    [InlineData("newmtl m\nmap_Kq p.ppm", "2:1: unknown word 'map_Kq', did you mean 'map_Kd'; allowed: newmtl, Kd, Ks, Ka, Ke, Tf, Ns, d, Tr, Ni, illum, map_Kd, map_Ks, map_Ka, map_Ke, map_Ns, map_d, map_bump, bump, norm")]
     public void Load_Mistake_IsOneLine(string mtl, string expected)
     {
         SceneFileError error = Assert.Throws<SceneFileException>(() => Load(mtl)).Errors.Single();
