@@ -65,22 +65,23 @@ internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel
         }
     }
 
+    /// <summary>Differences first: neighbouring floats are subtracted exactly, and a luminance of differences adds no rounding of the heights' size.</summary>
     private void Divide<F>(in ColorColumns<F> ahead, in ColorColumns<F> behind, F* slope, int packets)
         where F : unmanaged, IReal<F>
     {
         F inverse = F.Of(0.5 / Step);
         for (int packet = 0; packet < packets; packet++)
         {
-            slope[packet] = (Height(ahead, packet) - Height(behind, packet)) * inverse;
+            slope[packet] = inverse * channel switch
+            {
+                TextureChannel.Red or TextureChannel.Alpha => ahead.R[packet] - behind.R[packet],
+                TextureChannel.Green => ahead.G[packet] - behind.G[packet],
+                TextureChannel.Blue => ahead.B[packet] - behind.B[packet],
+                _ => F.Fma(
+                    F.Of(0.2126f),
+                    ahead.R[packet] - behind.R[packet],
+                    F.Fma(F.Of(0.7152f), ahead.G[packet] - behind.G[packet], F.Of(0.0722f) * (ahead.B[packet] - behind.B[packet]))),
+            };
         }
     }
-
-    private F Height<F>(in ColorColumns<F> colors, int packet)
-        where F : unmanaged, IReal<F> => channel switch
-        {
-            TextureChannel.Red or TextureChannel.Alpha => colors.R[packet],
-            TextureChannel.Green => colors.G[packet],
-            TextureChannel.Blue => colors.B[packet],
-            _ => (F.Of(0.2126f) * colors.R[packet]) + (F.Of(0.7152f) * colors.G[packet]) + (F.Of(0.0722f) * colors.B[packet]),
-        };
 }
