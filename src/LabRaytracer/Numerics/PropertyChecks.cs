@@ -14,4 +14,22 @@ internal static class PropertyChecks
         where TEnum : struct, Enum => Enum.IsDefined(value)
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, $"Unknown {typeof(TEnum).Name}. Allowed: {string.Join(", ", Enum.GetNames<TEnum>())}.");
+
+    /// <summary>The value, if it is a finite number above 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
+    public static double Positive(double value, string what) => value > 0 && double.IsFinite(value)
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, $"The {what} must be finite and above 0.");
+
+    /// <summary>The value, if it is a finite number.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
+    public static double Finite(double value, string what) => double.IsFinite(value)
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, $"The {what} must be finite.");
+
+    /// <summary>The value, if it lies in [0, 1].</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It does not.</exception>
+    public static double Share(double value, string what) => value is >= 0 and <= 1
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, $"The {what} must be in [0, 1].");
 }
