@@ -43,6 +43,8 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
         {
             X = Column(), Y = Column(), Z = Column(),
             NormalX = Column(), NormalY = Column(), NormalZ = Column(),
+            WorldX = PointX, WorldY = PointY, WorldZ = PointZ,
+            WorldNormalX = NormalX, WorldNormalY = NormalY, WorldNormalZ = NormalZ,
             SurfaceU = Column(), SurfaceV = Column(),
         };
     }

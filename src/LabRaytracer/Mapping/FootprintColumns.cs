@@ -19,6 +19,29 @@ internal readonly unsafe struct FootprintColumns
         DvDy = (float*)memory.Column<Float16>(capacity, Float16.Width);
     }
 
+    /// <param name="memory">Room for 4 columns, owned by somebody else.</param>
+    /// <param name="capacity">Floats in each.</param>
+    public FootprintColumns(float* memory, int capacity)
+    {
+        DuDx = memory;
+        DvDx = memory + capacity;
+        DuDy = memory + (2 * capacity);
+        DvDy = memory + (3 * capacity);
+    }
+
+    /// <param name="whole">Columns.</param>
+    /// <param name="first">The element to start at.</param>
+    private FootprintColumns(in FootprintColumns whole, int first)
+    {
+        DuDx = whole.DuDx + first;
+        DvDx = whole.DvDx + first;
+        DuDy = whole.DuDy + first;
+        DvDy = whole.DvDy + first;
+    }
+
+    /// <summary>The same columns from an element on; none of none.</summary>
+    public FootprintColumns From(int element) => DuDx == null ? this : new FootprintColumns(this, element);
+
     /// <summary>Writes one footprint, rounded.</summary>
     public void Put(int element, in TextureFootprint footprint)
     {

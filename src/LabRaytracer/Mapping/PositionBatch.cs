@@ -11,6 +11,12 @@ internal unsafe struct PositionBatch<R>
     /// <summary>Local unit normal, object space; only written when a mapping of the material asks for it.</summary>
     public R* NormalX, NormalY, NormalZ;
 
+    /// <summary>The same point, world space; always written.</summary>
+    public R* WorldX, WorldY, WorldZ;
+
+    /// <summary>The geometric normal, world space; always written.</summary>
+    public R* WorldNormalX, WorldNormalY, WorldNormalZ;
+
     /// <summary>The shape's own coordinates; only written by shapes that have them.</summary>
     public R* SurfaceU, SurfaceV;
 

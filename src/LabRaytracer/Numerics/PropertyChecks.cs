@@ -32,4 +32,16 @@ internal static class PropertyChecks
     public static double Share(double value, string what) => value is >= 0 and <= 1
         ? value
         : throw new ArgumentOutOfRangeException(nameof(value), value, $"The {what} must be in [0, 1].");
+
+    /// <summary>The value, if it is the width of a filter.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
+    public static double FilterWidth(double value) => value is >= 0 and <= 16
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, "The filter width of a texture must be in [0, 16] footprints.");
+
+    /// <summary>The value, if it is finite and not below 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
+    public static double NotNegative(double value, string what) => value >= 0 && double.IsFinite(value)
+        ? value
+        : throw new ArgumentOutOfRangeException(nameof(value), value, $"The {what} must be finite and not below 0.");
 }

@@ -20,6 +20,9 @@ internal static unsafe class BackgroundStage
             {
                 LaneRun<I> run = new(order, packet * R.Width, count);
                 R x = run.Collect<R, F>(rays.DirectionX), y = run.Collect<R, F>(rays.DirectionY), z = run.Collect<R, F>(rays.DirectionZ);
+                at.WorldX[packet] = at.WorldNormalX[packet] = x;
+                at.WorldY[packet] = at.WorldNormalY[packet] = y;
+                at.WorldZ[packet] = at.WorldNormalZ[packet] = z;
                 (x, y, z) = isTurned ? DirectionTurn.Apply(scene.BackgroundRotation.ObjectFromWorldRows, x, y, z) : (x, y, z);
                 at.X[packet] = at.NormalX[packet] = x;
                 at.Y[packet] = at.NormalY[packet] = y;

@@ -22,6 +22,8 @@ public sealed class ColorRamp
         {
             throw new ArgumentException("A colour ramp needs at least one stop, each at a finite position.", nameof(stops));
         }
+
+        Mean = FindMean();
     }
 
     /// <summary>Black at 0, white at 1.</summary>
@@ -30,8 +32,8 @@ public sealed class ColorRamp
     /// <summary>The stops by position.</summary>
     public IReadOnlyList<ColorStop> Stops => _stops;
 
-    /// <summary>Tells whether the ramp has one colour only.</summary>
-    internal bool IsConstant => _stops.All(stop => stop.Color == _stops[0].Color);
+    /// <summary>The mean of the colours from 0 to 1: what is left of a pattern that covers them evenly when it is too fine to be seen.</summary>
+    public Intensity Mean { get; }
 
     /// <summary>One colour at 0, another at 1.</summary>
     /// <param name="first">Colour at 0 and below, linear.</param>
@@ -69,5 +71,19 @@ public sealed class ColorRamp
             green = F.Select(isBehind, F.Fma(share, F.Of(step.G), F.Of(stop.Color.G)), green);
             blue = F.Select(isBehind, F.Fma(share, F.Of(step.B), F.Of(stop.Color.B)), blue);
         }
+    }
+
+    /// <summary>The trapezoids between 0, the stops in between, and 1.</summary>
+    private Intensity FindMean()
+    {
+        double[] places = [0, .. _stops.Select(stop => stop.Position).Where(position => position is > 0 and < 1).Distinct(), 1];
+        Intensity sum = Intensity.Black;
+        for (int i = 0; i + 1 < places.Length; i++)
+        {
+            // The middle of a part has its mean, because the ramp is linear there.
+            sum += At((float)((places[i] + places[i + 1]) / 2)) * (float)(places[i + 1] - places[i]);
+        }
+
+        return sum;
     }
 }

@@ -8,6 +8,7 @@ internal sealed unsafe class CustomSampler(ITexture texture, TextureUse use) : T
         bool needsCoordinate = (texture.Needs & TextureNeeds.Coordinate) != 0;
         bool needsPoint = (texture.Needs & TextureNeeds.LocalPoint) != 0;
         bool needsFootprint = (texture.Needs & TextureNeeds.Footprint) != 0;
+        bool needsWorld = (texture.Needs & TextureNeeds.WorldPoint) != 0;
         for (int i = 0; i < lookups.Count; i++)
         {
             TextureCoordinate coordinate = needsCoordinate
@@ -19,10 +20,16 @@ internal sealed unsafe class CustomSampler(ITexture texture, TextureUse use) : T
             Vector3D normal = needsPoint
                 ? new(R.Take(lookups.Positions.NormalX, i), R.Take(lookups.Positions.NormalY, i), R.Take(lookups.Positions.NormalZ, i))
                 : default;
+            PositionBatch<R> at = lookups.Positions;
+            Point3D worldPoint = needsWorld ? new(R.Take(at.WorldX, i), R.Take(at.WorldY, i), R.Take(at.WorldZ, i)) : default;
+            Vector3D worldNormal = needsWorld ? new(R.Take(at.WorldNormalX, i), R.Take(at.WorldNormalY, i), R.Take(at.WorldNormalZ, i)) : default;
             colors.Put(i, Read(new TextureLookup(
                 coordinate, point, normal, lookups.WrapU, lookups.WrapV,
                 needsFootprint && needsCoordinate ? lookups.Footprints.Take(i) : default,
-                needsFootprint && needsPoint ? lookups.LocalFootprints.Take(i) : default)));
+                needsFootprint && needsPoint ? lookups.LocalFootprints.Take(i) : default)
+            {
+                WorldPoint = worldPoint, WorldNormal = worldNormal,
+            }));
         }
     }
 

@@ -78,9 +78,16 @@ public sealed class Noise
         double frequency = 1, weight = 1, weights = 0;
         for (int octave = 0; octave < Octaves; octave++)
         {
-            R scale = R.Of(frequency);
-            F number = Layer<R, F, I>(x * scale, y * scale, z * scale, CellHash.Key(Seed, octave), isFlat);
-            number = Sum == NoiseSum.Turbulence ? F.Abs(number) : number;
+            F kept = FilterFade.Kept(width * F.Of(frequency));
+            F number = F.Of(Mean(isFlat));
+            if (F.Any(F.Less(F.Zero, kept)))
+            {
+                R scale = R.Of(frequency);
+                F here = Layer<R, F, I>(x * scale, y * scale, z * scale, CellHash.Key(Seed, octave), isFlat);
+                here = Sum == NoiseSum.Turbulence ? F.Abs(here) : here;
+                number = F.Select(F.LessOrEqual(F.Of(1), kept), here, Lattice.Lerp(number, here, kept));
+            }
+
             sum = F.Fma(F.Of(weight), number, sum);
             weights += weight;
             weight *= Gain;
@@ -89,6 +96,18 @@ public sealed class Noise
 
         return sum * F.Of(1 / weights);
     }
+
+    /// <summary>The mean of one octave: 0, or that of the absolute values, measured on 60000 points.</summary>
+    private double Mean(bool isFlat) => (Sum, Kind, isFlat) switch
+    {
+        (NoiseSum.Fbm, _, _) => 0,
+        (_, NoiseKind.Gradient, false) => 0.2201,
+        (_, NoiseKind.Gradient, true) => 0.2046,
+        (_, NoiseKind.Value, false) => 0.2556,
+        (_, NoiseKind.Value, true) => 0.3190,
+        (_, _, false) => 0.3508,
+        _ => 0.3915,
+    };
 
     private F Layer<R, F, I>(R x, R y, R z, int key, bool isFlat)
         where R : unmanaged, ILane<R, F, I>

@@ -28,22 +28,27 @@ public sealed class NoiseTexture : IPreparedTexture
     /// <summary>Colours of the numbers from 0 to 1. Default: black to white.</summary>
     public ColorRamp Ramp { get; init => field = PropertyChecks.NotNull(value); } = ColorRamp.Grey;
 
-    /// <inheritdoc/>
-    public TextureNeeds Needs => PatternSampler.Needs(Space);
+    /// <summary>Width of the filter in footprints of the sample, [0, 16]; 0: none, and rays need not know their footprints. Default: 1.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Outside [0, 16] or NaN.</exception>
+    public double FilterWidth { get; init => field = PropertyChecks.FilterWidth(value); } = 1;
 
     /// <inheritdoc/>
-    public Intensity Sample(in TextureLookup lookup) => PatternSampler.Sample(new Pattern(this), Space, Ramp, lookup);
+    public TextureNeeds Needs => PatternSampler.Needs(Space, FilterWidth);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, Ramp);
+    /// <inheritdoc/>
+    public Intensity Sample(in TextureLookup lookup) => PatternSampler.Sample(new Pattern(this), Space, FilterWidth, Ramp, lookup);
+
+    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, FilterWidth, Ramp);
 
     private readonly struct Pattern(NoiseTexture texture) : IPattern
     {
         [MethodImpl(MethodImplOptions.NoInlining)]
-        public F At<R, F, I>(in PatternPoint<R, F> point)
+        public F At<R, F, I>(in PatternPoint<R, F> point, out F kept)
             where R : unmanaged, ILane<R, F, I>
             where F : unmanaged, ILane<F, F, I>
             where I : unmanaged, IIndexLane<I>
         {
+            kept = F.Of(1);
             R scale = R.Of(texture.Frequency);
             F number = texture.Noise.At<R, F, I>(point.X * scale, point.Y * scale, point.Z * scale, point.Width * F.Of(texture.Frequency), point.IsFlat);
             return texture.Noise.Sum == NoiseSum.Turbulence ? number : F.Fma(number, F.Of(0.5), F.Of(0.5));

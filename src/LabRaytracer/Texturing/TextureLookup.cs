@@ -18,6 +18,12 @@ public readonly record struct TextureLookup(
     TextureFootprint Footprint = default,
     SurfaceFootprint LocalFootprint = default)
 {
+    /// <summary>The hit in world space. Meaningful if the texture needs it.</summary>
+    public Point3D WorldPoint { get; init; }
+
+    /// <summary>Outward geometric normal there, world space, length 1. Meaningful if the texture needs the world point.</summary>
+    public Vector3D WorldNormal { get; init; }
+
     /// <summary>A lookup by (u, v) alone.</summary>
     /// <param name="u">Horizontal coordinate.</param>
     /// <param name="v">Vertical coordinate, up.</param>

@@ -17,4 +17,7 @@ public enum TextureNeeds
     /// What a sample covers: of texture space with <see cref="Coordinate"/>, of the surface with <see cref="LocalPoint"/>. Rays then carry their differentials.
     /// </summary>
     Footprint = 4,
+
+    /// <summary>The point in world space and its normal: a 3D texture that objects move through.</summary>
+    WorldPoint = 8,
 }
