@@ -8,6 +8,9 @@ namespace LabRaytracer;
 /// <remarks>Immutable, thread safe.</remarks>
 public readonly record struct SurfacePosition(Point3D LocalPoint, Vector3D LocalNormal, TextureCoordinate Surface, MappingGradient SurfaceGradient = default)
 {
+    /// <summary>The hit in world space. Set where the renderer maps hits.</summary>
+    public Point3D WorldPoint { get; init; }
+
     /// <summary>A position known only by its local point; normal and own coordinates are zero.</summary>
     public static SurfacePosition At(double x, double y, double z) => new(new Point3D(x, y, z), default, default);
 }

@@ -144,7 +144,10 @@ internal static unsafe class TextureStage
             TextureCoordinate mapped = mapping.Map(new SurfacePosition(
                 new Point3D(Lane.Take(positions.X, i), Lane.Take(positions.Y, i), Lane.Take(positions.Z, i)),
                 new Vector3D(Lane.Take(positions.NormalX, i), Lane.Take(positions.NormalY, i), Lane.Take(positions.NormalZ, i)),
-                new TextureCoordinate(Lane.Take(positions.SurfaceU, i), Lane.Take(positions.SurfaceV, i))));
+                new TextureCoordinate(Lane.Take(positions.SurfaceU, i), Lane.Take(positions.SurfaceV, i)))
+            {
+                WorldPoint = new Point3D(Lane.Take(positions.WorldX, i), Lane.Take(positions.WorldY, i), Lane.Take(positions.WorldZ, i)),
+            });
             Lane.Put(coordinates.U, i, mapped.U);
             Lane.Put(coordinates.V, i, mapped.V);
         }

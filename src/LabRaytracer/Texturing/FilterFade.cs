@@ -14,4 +14,10 @@ internal static class FilterFade
         F share = F.Min(F.Max(F.Of(2) - (periods * F.Of(4)), F.Zero), F.Of(1));
         return share * share * (F.Of(3) - (share + share));
     }
+
+    /// <summary>The mean where nothing is kept, the pattern where all is: exactly, so that it does not matter whether a lane that shows one computes the other.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static F Mix<F>(F mean, F pattern, F kept)
+        where F : unmanaged, IReal<F> => F.Select(
+            F.LessOrEqual(F.Of(1), kept), pattern, F.Select(F.LessOrEqual(kept, F.Zero), mean, Lattice.Lerp(mean, pattern, kept)));
 }

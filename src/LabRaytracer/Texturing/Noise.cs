@@ -85,7 +85,7 @@ public sealed class Noise
                 R scale = R.Of(frequency);
                 F here = Layer<R, F, I>(x * scale, y * scale, z * scale, CellHash.Key(Seed, octave), isFlat);
                 here = Sum == NoiseSum.Turbulence ? F.Abs(here) : here;
-                number = F.Select(F.LessOrEqual(F.Of(1), kept), here, Lattice.Lerp(number, here, kept));
+                number = FilterFade.Mix(number, here, kept);
             }
 
             sum = F.Fma(F.Of(weight), number, sum);

@@ -55,13 +55,12 @@ internal static class PatternColor
         where F : unmanaged, IReal<F>
     {
         ramp.At(number, out red, out green, out blue);
-        F isKept = F.LessOrEqual(F.Of(1), kept);
-        if (!F.All(isKept))
+        if (!F.All(F.LessOrEqual(F.Of(1), kept)))
         {
             Intensity mean = ramp.Mean;
-            red = F.Select(isKept, red, Lattice.Lerp(F.Of(mean.R), red, kept));
-            green = F.Select(isKept, green, Lattice.Lerp(F.Of(mean.G), green, kept));
-            blue = F.Select(isKept, blue, Lattice.Lerp(F.Of(mean.B), blue, kept));
+            red = FilterFade.Mix(F.Of(mean.R), red, kept);
+            green = FilterFade.Mix(F.Of(mean.G), green, kept);
+            blue = FilterFade.Mix(F.Of(mean.B), blue, kept);
         }
     }
 }

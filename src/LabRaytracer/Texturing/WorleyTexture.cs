@@ -73,7 +73,7 @@ public sealed class WorleyTexture : IPreparedTexture
                 WorleyFeature.F2 => second,
                 _ => second - first,
             };
-            return F.Select(F.LessOrEqual(F.Of(1), still), here, Lattice.Lerp(mean, here, still));
+            return FilterFade.Mix(mean, here, still);
         }
 
         /// <summary>The mean of the distance over all points, measured on 30000 of them.</summary>

@@ -12,7 +12,17 @@ internal static unsafe class SamplerRun
 
     /// <summary>Lookups at all pairs of the coordinates, with a local point and normal made of them.</summary>
     public static TextureLookup[] Lookups(TextureWrap wrapU, TextureWrap wrapV) =>
-        [.. from u in Coordinates from v in Coordinates select new TextureLookup(new TextureCoordinate(u, v), new Point3D(u, v, u - v), new Vector3D(0.6, v > 0 ? 0.8 : -0.8, 0), wrapU, wrapV)];
+        [.. from u in Coordinates from v in Coordinates select new TextureLookup(new TextureCoordinate(u, v), new Point3D(u, v, u - v), new Vector3D(0.6, v > 0 ? 0.8 : -0.8, 0), wrapU, wrapV)
+        {
+            WorldPoint = new Point3D(v, u, 1), WorldNormal = new Vector3D(0, 0.6, 0.8), Footprint = Steps(u, v), LocalFootprint = new SurfaceFootprint(new Vector3D(Steps(u, v).DuDx, 0.1, 0), new Vector3D(0, Steps(u, v).DvDx, 0.01)),
+        }];
+
+    /// <summary>Footprints from none over fractions of a cell to several, exact as floats.</summary>
+    private static TextureFootprint Steps(double u, double v)
+    {
+        int choice = (int)(BitConverter.DoubleToInt64Bits(u) ^ (BitConverter.DoubleToInt64Bits(v) >> 3)) & 7;
+        return choice < 2 ? default : new TextureFootprint(Math.ScaleB(1, choice - 9), Math.ScaleB(-0.75, choice - 9), 0.0078125, 0.015625);
+    }
 
     /// <summary>Colours of lookups that share their wraps, through the batch door.</summary>
     public static Intensity[] Sample<R, F, I>(TextureSampler sampler, TextureLookup[] lookups)
@@ -24,11 +34,26 @@ internal static unsafe class SamplerRun
         using LaneColumn<R> u = Column(l => l.Coordinate.U), v = Column(l => l.Coordinate.V);
         using LaneColumn<R> x = Column(l => l.LocalPoint.X), y = Column(l => l.LocalPoint.Y), z = Column(l => l.LocalPoint.Z);
         using LaneColumn<R> nx = Column(l => l.LocalNormal.X), ny = Column(l => l.LocalNormal.Y), nz = Column(l => l.LocalNormal.Z);
+        using LaneColumn<R> wx = Column(l => l.WorldPoint.X), wy = Column(l => l.WorldPoint.Y), wz = Column(l => l.WorldPoint.Z);
+        using LaneColumn<R> wnx = Column(l => l.WorldNormal.X), wny = Column(l => l.WorldNormal.Y), wnz = Column(l => l.WorldNormal.Z);
+        using LaneMemory memory = new();
+        FootprintColumns footprints = new(memory, lookups.Length + 16);
+        LocalFootprintColumns localFootprints = new(memory, lookups.Length + 16);
+        for (int i = 0; i < lookups.Length; i++)
+        {
+            footprints.Put(i, lookups[i].Footprint);
+            Vector3D right = lookups[i].LocalFootprint.DpDx, down = lookups[i].LocalFootprint.DpDy;
+            (localFootprints.XDx[i], localFootprints.YDx[i], localFootprints.ZDx[i]) = ((float)right.X, (float)right.Y, (float)right.Z);
+            (localFootprints.XDy[i], localFootprints.YDy[i], localFootprints.ZDy[i]) = ((float)down.X, (float)down.Y, (float)down.Z);
+        }
+
         using LaneColumn<F> red = new(lookups.Length), green = new(lookups.Length), blue = new(lookups.Length);
         LookupBatch<R> batch = new()
         {
             Coordinates = new CoordinateBatch<R> { U = u.Lanes, V = v.Lanes },
-            Positions = new PositionBatch<R> { X = x.Lanes, Y = y.Lanes, Z = z.Lanes, NormalX = nx.Lanes, NormalY = ny.Lanes, NormalZ = nz.Lanes },
+            Positions = new PositionBatch<R> { X = x.Lanes, Y = y.Lanes, Z = z.Lanes, NormalX = nx.Lanes, NormalY = ny.Lanes, NormalZ = nz.Lanes, WorldX = wx.Lanes, WorldY = wy.Lanes, WorldZ = wz.Lanes, WorldNormalX = wnx.Lanes, WorldNormalY = wny.Lanes, WorldNormalZ = wnz.Lanes },
+            Footprints = footprints,
+            LocalFootprints = localFootprints,
             WrapU = lookups[0].WrapU,
             WrapV = lookups[0].WrapV,
             Count = lookups.Length,
