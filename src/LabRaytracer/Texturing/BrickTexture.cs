@@ -68,7 +68,7 @@ public sealed class BrickTexture : IPreparedTexture
         return new Intensity(red.Value, green.Value, blue.Value);
     }
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new Sampler(this);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new Sampler(this);
 
     /// <summary>The share of brick, and the brightness of the brick.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

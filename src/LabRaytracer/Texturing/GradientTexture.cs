@@ -39,7 +39,7 @@ public sealed class GradientTexture : IPreparedTexture
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup) => PatternSampler.Sample(new Pattern(this), Space, 0, Ramp, lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, 0, Ramp);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, 0, Ramp);
 
     private readonly struct Pattern(GradientTexture texture) : IPattern
     {

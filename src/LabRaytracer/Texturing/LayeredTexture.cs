@@ -14,7 +14,7 @@ public sealed class LayeredTexture : IPreparedTexture
     {
         Ground = PropertyChecks.NotNull(ground);
         Layers = [.. PropertyChecks.NotNull(layers)];
-        _folded = Layers.Aggregate(ground, (below, layer) => new MixTexture(below, layer.Texture, layer.Coverage));
+        _folded = Layers.Aggregate(ground, (below, layer) => new MixTexture(below, layer.Texture, layer.Coverage ?? new AlphaTexture(layer.Texture)));
     }
 
     /// <summary>The texture below all layers.</summary>
@@ -29,5 +29,5 @@ public sealed class LayeredTexture : IPreparedTexture
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup) => _folded.Sample(lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => TextureParts.Prepare(_folded, isData, filter);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => TextureParts.Prepare(_folded, use, filter);
 }

@@ -57,7 +57,7 @@ public sealed class MarbleTexture : IPreparedTexture
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup) => PatternSampler.Sample(new Pattern(this), Space, FilterWidth, Ramp, lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, FilterWidth, Ramp);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, FilterWidth, Ramp);
 
     private readonly struct Pattern(MarbleTexture texture) : IPattern
     {

@@ -55,8 +55,8 @@ public sealed class MixTexture : IPreparedTexture
         ? only.Sample(lookup)
         : BlendSampler.Blend(First, Second, Weight.Sample(lookup), null, lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => Only is { } only
-        ? TextureParts.Prepare(only, isData, filter)
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => Only is { } only
+        ? TextureParts.Prepare(only, use, filter)
         : new BlendSampler(
-            TextureParts.Prepare(First, isData, filter), TextureParts.Prepare(Second, isData, filter), TextureParts.Prepare(Weight, isData: false, filter), null);
+            TextureParts.Prepare(First, use, filter), TextureParts.Prepare(Second, use, filter), TextureParts.Prepare(Weight, TextureUse.Color, filter), null);
 }

@@ -38,7 +38,7 @@ public sealed class NoiseTexture : IPreparedTexture
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup) => PatternSampler.Sample(new Pattern(this), Space, FilterWidth, Ramp, lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, FilterWidth, Ramp);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new PatternSampler<Pattern>(new Pattern(this), Space, FilterWidth, Ramp);
 
     private readonly struct Pattern(NoiseTexture texture) : IPattern
     {

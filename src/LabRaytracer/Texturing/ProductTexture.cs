@@ -28,9 +28,9 @@ public sealed class ProductTexture : IPreparedTexture
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup) => IsBlack ? Intensity.Black : First.Sample(lookup) * Second.Sample(lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => IsBlack
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => IsBlack
         ? new ConstantSampler(Intensity.Black)
-        : new Sampler(TextureParts.Prepare(First, isData, filter), TextureParts.Prepare(Second, isData, filter));
+        : new Sampler(TextureParts.Prepare(First, use, filter), TextureParts.Prepare(Second, use, filter));
 
     /// <summary>The product, many points at a time.</summary>
     private sealed unsafe class Sampler(TextureSampler first, TextureSampler second) : TextureSampler

@@ -26,7 +26,7 @@ public sealed class RampTexture : IPreparedTexture
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup) => Ramp.At(Source.Sample(lookup).Luminance);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new Sampler(TextureParts.Prepare(Source, isData: false, filter), Ramp);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new Sampler(TextureParts.Prepare(Source, TextureUse.Color, filter), Ramp);
 
     /// <summary>The colours, many points at a time.</summary>
     private sealed unsafe class Sampler(TextureSampler source, ColorRamp ramp) : TextureSampler

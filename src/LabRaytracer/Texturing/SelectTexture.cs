@@ -41,8 +41,8 @@ public sealed class SelectTexture : IPreparedTexture
         ? only.Sample(lookup)
         : BlendSampler.Blend(Below, Above, Selector.Sample(lookup), Threshold, lookup);
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => Only is { } only
-        ? TextureParts.Prepare(only, isData, filter)
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => Only is { } only
+        ? TextureParts.Prepare(only, use, filter)
         : new BlendSampler(
-            TextureParts.Prepare(Below, isData, filter), TextureParts.Prepare(Above, isData, filter), TextureParts.Prepare(Selector, isData: false, filter), Threshold);
+            TextureParts.Prepare(Below, use, filter), TextureParts.Prepare(Above, use, filter), TextureParts.Prepare(Selector, TextureUse.Color, filter), Threshold);
 }

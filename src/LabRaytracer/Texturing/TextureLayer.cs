@@ -2,6 +2,6 @@ namespace LabRaytracer;
 
 /// <summary>A layer over other textures.</summary>
 /// <param name="Texture">Its colours.</param>
-/// <param name="Coverage">A texture whose luminance says how much of what is below the layer covers: 0 nothing, 1 all of it.</param>
+/// <param name="Coverage">A texture whose luminance says how much of what is below the layer covers: 0 nothing, 1 all of it. Null (default): the alpha of the texture.</param>
 /// <remarks>Immutable, thread safe if the parts are.</remarks>
-public readonly record struct TextureLayer(ITexture Texture, ITexture Coverage);
+public readonly record struct TextureLayer(ITexture Texture, ITexture? Coverage = null);

@@ -7,15 +7,15 @@ internal static class TextureParts
     public const int Chunk = 8;
 
     /// <summary>A part made ready: a constant if it needs nothing of a hit.</summary>
-    public static TextureSampler Prepare(ITexture texture, bool isData, TextureFilter? filter) => texture switch
+    public static TextureSampler Prepare(ITexture texture, TextureUse use, TextureFilter? filter) => texture switch
     {
-        { Needs: TextureNeeds.None } => new ConstantSampler(texture.Sample(default)),
-        IPreparedTexture prepared => prepared.Prepare(isData, filter),
-        _ => new CustomSampler(texture),
+        { Needs: TextureNeeds.None, HasAlpha: false } => new ConstantSampler(texture.Sample(default)),
+        IPreparedTexture prepared => prepared.Prepare(use, filter),
+        _ => new CustomSampler(texture, use),
     };
 
     /// <summary>The colour of a part that is the same everywhere; null if it is not.</summary>
-    public static Intensity? Constant(ITexture texture) => texture.Needs == TextureNeeds.None ? texture.Sample(default) : null;
+    public static Intensity? Constant(ITexture texture) => texture is { Needs: TextureNeeds.None, HasAlpha: false } ? texture.Sample(default) : null;
 
     /// <summary>Columns for the colours of one part of a chunk.</summary>
     /// <param name="memory">Room for <c>3 * Chunk</c> groups of lanes.</param>

@@ -54,7 +54,22 @@ public sealed class TransformedTexture : IPreparedTexture
     private bool MovesCoordinates => (Source.Needs & TextureNeeds.Coordinate) != 0 && !Uv.IsIdentity;
 
     /// <inheritdoc/>
-    public Intensity Sample(in TextureLookup lookup)
+    public bool HasAlpha => Source.HasAlpha;
+
+    /// <inheritdoc/>
+    public Intensity Sample(in TextureLookup lookup) => Source.Sample(Moved(lookup));
+
+    /// <inheritdoc/>
+    public float Alpha(in TextureLookup lookup) => Source.Alpha(Moved(lookup));
+
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter)
+    {
+        TextureSampler source = TextureParts.Prepare(Source, use, filter);
+        return MovesPoints || MovesCoordinates ? new TransformedSampler(this, source, MovesPoints, MovesCoordinates) : source;
+    }
+
+    /// <summary>Where the source is looked up.</summary>
+    private TextureLookup Moved(in TextureLookup lookup)
     {
         TextureLookup moved = lookup;
         if (MovesCoordinates)
@@ -78,13 +93,7 @@ public sealed class TransformedTexture : IPreparedTexture
             };
         }
 
-        return Source.Sample(moved);
-    }
-
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter)
-    {
-        TextureSampler source = TextureParts.Prepare(Source, isData, filter);
-        return MovesPoints || MovesCoordinates ? new TransformedSampler(this, source, MovesPoints, MovesCoordinates) : source;
+        return moved;
     }
 
     private static Float1 Single(double number) => new((float)number);

@@ -44,7 +44,18 @@ public sealed class TriplanarTexture : IPreparedTexture
     public TextureNeeds Needs => Source.Needs == TextureNeeds.None ? TextureNeeds.None : (Source.Needs & ~TextureNeeds.Coordinate) | TextureNeeds.LocalPoint;
 
     /// <inheritdoc/>
-    public Intensity Sample(in TextureLookup lookup)
+    public bool HasAlpha => Source.HasAlpha;
+
+    /// <inheritdoc/>
+    public Intensity Sample(in TextureLookup lookup) => Sum(lookup, Source.Sample);
+
+    /// <inheritdoc/>
+    public float Alpha(in TextureLookup lookup) => Sum(lookup, (in TextureLookup projected) => Intensity.Grey(Source.Alpha(projected))).R;
+
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new TriplanarSampler(this, TextureParts.Prepare(Source, use, filter));
+
+    /// <summary>The weighted sum over the projections.</summary>
+    private Intensity Sum(in TextureLookup lookup, Reader read)
     {
         Point3D p = lookup.LocalPoint;
         Vector3D n = lookup.LocalNormal;
@@ -56,7 +67,7 @@ public sealed class TriplanarTexture : IPreparedTexture
             if (weight.Value > 0)
             {
                 (Double1 u, Double1 v) = planes.Coordinates(axis);
-                Intensity color = Source.Sample(lookup with
+                Intensity color = read(lookup with
                 {
                     Coordinate = new(u.Value, v.Value), Footprint = Footprint(lookup, planes, axis), WrapU = TextureWrap.Repeat, WrapV = TextureWrap.Repeat,
                 });
@@ -69,8 +80,6 @@ public sealed class TriplanarTexture : IPreparedTexture
         return new Intensity(red.Value, green.Value, blue.Value);
     }
 
-    TextureSampler IPreparedTexture.Prepare(bool isData, TextureFilter? filter) => new TriplanarSampler(this, TextureParts.Prepare(Source, isData, filter));
-
     private static TextureFootprint Footprint(in TextureLookup lookup, in TriplanarPlanes<Double1, Float1, Int1> planes, int axis)
     {
         static Float1 Single(double number) => new((float)number);
@@ -79,4 +88,6 @@ public sealed class TriplanarTexture : IPreparedTexture
         (Float1 uy, Float1 vy) = planes.Step(axis, Single(down.X), Single(down.Y), Single(down.Z));
         return new TextureFootprint(ux.Value, vx.Value, uy.Value, vy.Value);
     }
+
+    private delegate Intensity Reader(in TextureLookup lookup);
 }
