@@ -3,7 +3,7 @@ namespace LabRaytracer.Tests.Geometry;
 /// <summary>Shapes at random places and of random sizes, and rays that look for them.</summary>
 internal sealed class ShapeCases(int seed)
 {
-    public static readonly string[] Kinds = ["sphere", "plane", "quad", "disk", "cylinder", "box", "triangle"];
+    public static readonly string[] Kinds = ["sphere", "plane", "quad", "disk", "cylinder", "box", "triangle", "torus", "cone"];
 
     private readonly Random _random = new(seed);
 
@@ -17,6 +17,8 @@ internal sealed class ShapeCases(int seed)
         "cylinder" => new Cylinder(center, size, size * (0.5 + _random.NextDouble())),
         "box" => new Box(center + new Vector3D(-size, -size * 0.5, -size * 0.75), center + new Vector3D(size, size, size * 0.25)),
         "triangle" => new Triangle(center + (size * UnitVector()), center + (size * UnitVector()), center + (size * UnitVector())),
+        "torus" => new Torus(center, size, size * Number(0.02, 0.95)),
+        "cone" => new Cone(center, size, size * Number(0.3, 3), _random.Next(2) == 0 ? ConeCaps.Open : ConeCaps.Closed),
         _ => throw new ArgumentException($"Unknown kind '{kind}'.", nameof(kind)),
     };
 

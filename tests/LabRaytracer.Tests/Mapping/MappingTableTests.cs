@@ -59,6 +59,73 @@ public sealed class MappingTableTests
     public void Mesh_TableRow_Matches(double u, double v) =>
         Assert.Equal(new TextureCoordinate(u, v), new MeshMapping().Map(new SurfacePosition(new Point3D(1, 2, 3), Vector3D.UnitX, new TextureCoordinate(u, v))));
 
+    [Theory]
+    [InlineData(0, 1, 0, 0, 1)]
+    [InlineData(0, 0, 1, 0, 0)]
+    [InlineData(1, 1, 0, 0.25, 0.5)]
+    [InlineData(0, 2, -2, 0.5, 0.5)]
+    [InlineData(-1, 0, 0, 0.75, 0)]
+    [InlineData(0, -1, 0, 0, 0)]
+    public void Hemispherical_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new HemisphericalMapping(), x, y, z, u, v);
+
+    [Theory]
+    [InlineData(0, 0, 1, 0, 0.5)]
+    [InlineData(1, 0, 0, 0.25, 0.5)]
+    [InlineData(0, 1, 0, 0, 1)]
+    [InlineData(0, -1, 0, 0, 0)]
+    [InlineData(-4, 3, 0, 0.75, 0.8)]
+    [InlineData(0, -3, -4, 0.5, 0.2)]
+    public void EqualArea_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new EqualAreaMapping(), x, y, z, u, v);
+
+    [Theory]
+    [InlineData(0, 0, 1, 0.5, 0.5)]
+    [InlineData(1, 0, 0, 0.75, 0.5)]
+    [InlineData(0, -1, 0, 0.5, 0.25)]
+    [InlineData(-1, 0, 1, 0.375, 0.5)]
+    [InlineData(0, 1, -1, 0.5, 0.875)]
+    [InlineData(0, 0, -1, 1, 0.5)]
+    public void LightProbe_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new LightProbeMapping(), x, y, z, u, v);
+
+    [Theory]
+    [InlineData(0, 0, -1, 0.5, 0.5)]
+    [InlineData(1, 0, 0, 0.75, 0.5)]
+    [InlineData(0, -1, 0, 0.5, 0.25)]
+    [InlineData(-1, 0, -1, 0.375, 0.5)]
+    [InlineData(0, 1, 1, 0.5, 0.875)]
+    [InlineData(0, 0, 0, 0.5, 0.5)]
+    public void LightProbeFacingNegativeZ_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new LightProbeMapping { Facing = LightProbeFacing.NegativeZ }, x, y, z, u, v);
+
+    [Theory]
+    [InlineData(0, 0, 1.5, 0, 0)]
+    [InlineData(1, 0.5, 0, 0.25, 0.25)]
+    [InlineData(0, 0, -0.5, 0.5, 0.5)]
+    [InlineData(-1, -0.25, 0, 0.75, 0.75)]
+    [InlineData(0, 0.25, 1.25, 0, 0.125)]
+    [InlineData(0, 0, 0, 0, 0.5)]
+    public void Torus_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new TorusMapping(), x, y, z, u, v);
+
+    [Theory]
+    [InlineData(0, -1, 1, 0, 0)]
+    [InlineData(0.5, 0, 0, 0.25, 0.5)]
+    [InlineData(0, 0, -0.5, 0.5, 0.5)]
+    [InlineData(0, 1, 0, 0, 1)]
+    [InlineData(-0.25, 0.5, 0, 0.75, 0.75)]
+    [InlineData(0, 0, 0.5, 0, 0.5)]
+    public void ConeSide_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new ConeMapping(), x, y, z, u, v);
+
+    [Theory]
+    [InlineData(0, 0, 0, 0.5, 0.5)]
+    [InlineData(1, 1, 1, 1, 1)]
+    [InlineData(-1, -1, 1, 0, 0)]
+    [InlineData(1, 0, 0, 0.75, 0.5)]
+    [InlineData(0, 4, 0, 0.5, 1.5)]
+    [InlineData(0, 0, 3, -1, -1)]
+    public void Projector_TableRow_Matches(double x, double y, double z, double u, double v) => Check(new ProjectorMapping(new Point3D(0, 0, 2), Point3D.Origin, fieldOfViewDegrees: 90), x, y, z, u, v);
+
+    [Fact]
+    public void Cone_BaseRow_Matches() => Assert.Equal(
+        new TextureCoordinate(0.75, 0.25), new ConeMapping().Map(new SurfacePosition(new Point3D(0.5, -1, -0.5), new Vector3D(0, -1, 0), default)));
+
     [Fact]
     public void DefaultWrap_EachMapping_ClampsWhereThePictureEnds()
     {

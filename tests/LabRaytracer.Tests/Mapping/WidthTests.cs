@@ -6,7 +6,9 @@ public sealed class WidthTests
     private static readonly SurfacePosition[] Points = MakePoints();
 
     public static TheoryData<IMapping> Mappings =>
-        [new RectangularMapping(), new CylindricalMapping(), new SphericalMapping(), new DiskMapping(), new BoxMapping(), new MeshMapping()];
+        [new RectangularMapping(), new CylindricalMapping(), new SphericalMapping(), new DiskMapping(), new BoxMapping(), new MeshMapping(),
+            new HemisphericalMapping(), new EqualAreaMapping(), new LightProbeMapping(), new LightProbeMapping { Facing = LightProbeFacing.NegativeZ }, new TorusMapping(), new TorusMapping(0.25),
+            new ConeMapping(), new ProjectorMapping(new Point3D(0.2, 0.3, 2), new Point3D(0, 0.1, 0), fieldOfViewDegrees: 50, aspect: 1.5)];
 
     [Theory]
     [MemberData(nameof(Mappings))]

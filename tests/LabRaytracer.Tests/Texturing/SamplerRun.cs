@@ -20,7 +20,7 @@ internal static unsafe class SamplerRun
     /// <summary>Footprints from none over fractions of a cell to several, exact as floats.</summary>
     private static TextureFootprint Steps(double u, double v)
     {
-        int choice = (int)(BitConverter.DoubleToInt64Bits(u) ^ (BitConverter.DoubleToInt64Bits(v) >> 3)) & 7;
+        int choice = (int)(BitConverter.DoubleToInt64Bits(u) ^ (BitConverter.DoubleToInt64Bits(u) >> 52) ^ (BitConverter.DoubleToInt64Bits(v) >> 3)) & 7;
         return choice < 2 ? default : new TextureFootprint(Math.ScaleB(1, choice - 9), Math.ScaleB(-0.75, choice - 9), 0.0078125, 0.015625);
     }
 
