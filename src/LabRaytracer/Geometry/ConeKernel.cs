@@ -50,7 +50,13 @@ internal readonly struct ConeKernel : IShapeKernel
     {
         CentredRay<R> centred = new(ray, shape[ApexX], shape[ApexY], shape[ApexZ]);
         ConeChoice<R> choice = new(centred, shape[Radius], shape[Height], shape[HasBase]);
-        return R.Any(choice.IsRough) ? R.Select(choice.IsRough, Precise(shape, ray, centred.K).T, t) : t;
+        if (R.Any(choice.IsRough))
+        {
+            PreciseConeHit<R> precise = Precise(shape, ray, centred.K);
+            t = R.Select(choice.IsRough & precise.IsHit, precise.T, t);
+        }
+
+        return t;
     }
 
     /// <remarks>On the side the local point is put back along the radius, y stays; on the base y is exactly -1.</remarks>
@@ -69,11 +75,12 @@ internal readonly struct ConeKernel : IShapeKernel
         if (R.Any(choice.IsRough))
         {
             PreciseConeHit<R> precise = Precise(shape, ray, centred.K);
-            t = R.Select(choice.IsRough, precise.T, t);
-            x = R.Select(choice.IsRough, precise.X, x);
-            y = R.Select(choice.IsRough, precise.Y, y);
-            z = R.Select(choice.IsRough, precise.Z, z);
-            isBase = R.Select(choice.IsRough, precise.IsBase, isBase);
+            R isRough = choice.IsRough & precise.IsHit;
+            t = R.Select(isRough, precise.T, t);
+            x = R.Select(isRough, precise.X, x);
+            y = R.Select(isRough, precise.Y, y);
+            z = R.Select(isRough, precise.Z, z);
+            isBase = R.Select(isRough, precise.IsBase, isBase);
         }
 
         PutBack(isBase, radius, height, x, y, z, out s);

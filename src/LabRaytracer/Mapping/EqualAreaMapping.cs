@@ -65,7 +65,7 @@ public sealed class EqualAreaMapping : IWideMapping
         public static void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
             where T : unmanaged, IReal<T>
         {
-            T scale = T.Of(1) / Elementary.ToUnitBox(ref x, ref y, ref z);
+            T scale = Elementary.GradientScale(Elementary.ToUnitBox(ref x, ref y, ref z));
             AngleGradient<T> angle = new(x, z);
             T flat = T.Fma(x, x, z * z), square = T.Fma(y, y, flat);
             T isOrigin = T.Equal(square, T.Zero);

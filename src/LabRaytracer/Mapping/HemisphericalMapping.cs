@@ -58,7 +58,7 @@ public sealed class HemisphericalMapping : IWideMapping
         public static void Gradient<T>(T x, T y, T z, out GradientLanes<T> gradient)
             where T : unmanaged, IReal<T>
         {
-            T scale = T.Of(1) / Elementary.ToUnitBox(ref x, ref y, ref z);
+            T scale = Elementary.GradientScale(Elementary.ToUnitBox(ref x, ref y, ref z));
             AngleGradient<T> angle = new(x, z);
             T distance = T.Fma(x, angle.Sin, z * angle.Cos);
             T square = T.Fma(y, y, distance * distance);

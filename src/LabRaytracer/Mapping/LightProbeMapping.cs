@@ -82,7 +82,7 @@ public sealed class LightProbeMapping : IWideMapping
     private void Slopes<T>(T x, T y, T z, out GradientLanes<T> gradient)
         where T : unmanaged, IReal<T>
     {
-        T scale = T.Of(1) / Elementary.ToUnitBox(ref x, ref y, ref z);
+        T scale = Elementary.GradientScale(Elementary.ToUnitBox(ref x, ref y, ref z));
         z = Facing == LightProbeFacing.PositiveZ ? z : -z;
         T distance = T.Sqrt(T.Fma(x, x, y * y)), square = T.Fma(z, z, distance * distance);
         T isOrigin = T.Equal(square, T.Zero), isAxis = T.Equal(distance, T.Zero);

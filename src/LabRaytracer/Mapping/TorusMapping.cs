@@ -80,7 +80,7 @@ public sealed class TorusMapping : IWideMapping
     {
         (x, y, z) = (Elementary.Finite(x), Elementary.Finite(y), Elementary.Finite(z));
         AngleGradient<T> around = new(x, z);
-        AngleGradient<T> tube = new(y, Elementary.Hypotenuse(x, z) - T.Of(RingRadius));
+        AngleGradient<T> tube = new(y, Elementary.Finite(Elementary.Hypotenuse(x, z)) - T.Of(RingRadius));
         gradient = default;
         gradient.UX = around.X;
         gradient.UZ = around.Z;

@@ -25,4 +25,9 @@ internal static partial class Elementary
         (x, y, z) = (x / size, y / size, z / size);
         return size;
     }
+
+    /// <summary>1 / size: what gradients of a point divided by its size are multiplied with; 0 for sizes so small that it would not be finite, which count as the origin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static T GradientScale<T>(T size)
+        where T : unmanaged, IReal<T> => T.Select(T.Less(size, T.Of(T.IsSingle ? 1e-30 : 1e-300)), T.Zero, T.Of(1) / size);
 }

@@ -11,7 +11,7 @@ internal static class Lattice
 {
     private const int Mask = (1 << 24) - 1;
 
-    /// <summary>The number of the cell of a coordinate, [0, 2^24), and the place inside of it, [0, 1]. Numbers that are not finite count as cell 0.</summary>
+    /// <summary>The number of the cell of a coordinate, [0, 2^24), and the place inside of it, [0, 1]. Numbers that are not finite count as 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static I Cell<R, F, I>(R coordinate, out F fraction)
         where R : unmanaged, ILane<R, F, I>
@@ -19,7 +19,8 @@ internal static class Lattice
         where I : unmanaged, IIndexLane<I>
     {
         R cell = R.Floor(coordinate);
-        fraction = R.ToSingle(coordinate - cell);
+        R inside = coordinate - cell;
+        fraction = R.ToSingle(R.Equal(inside, inside) & inside);
         R inRange = cell - (R.Floor(cell * R.Of(1.0 / (1 << 24))) * R.Of(1 << 24));
         return R.ToInt32(R.Max(inRange, R.Zero));
     }
