@@ -4,12 +4,19 @@ using System.Text.Json.Nodes;
 namespace LabRaytracer;
 
 /// <summary>One of several kinds of objects, told by the value of a key such as "type".</summary>
-internal sealed class VariantFormat<T>(string key, string description, IReadOnlyList<ObjectFormat<T>> variants) : Format<T>
+/// <param name="key">The key.</param>
+/// <param name="description">One sentence for the schema.</param>
+/// <param name="variants">The common kinds.</param>
+/// <param name="others">Finds further kinds: they are not made for files that do without them.</param>
+internal sealed class VariantFormat<T>(
+    string key, string description, IReadOnlyList<ObjectFormat<T>> variants, Func<IReadOnlyList<ObjectFormat<T>>>? others = null) : Format<T>
     where T : notnull
 {
     public override string Allowed => $"an object with '{key}': {Wording.List(Names)}";
 
-    private IEnumerable<string> Names => variants.Select(variant => variant.Tag!.Value.Value);
+    private IEnumerable<string> Names => All.Select(variant => variant.Tag!.Value.Value);
+
+    private IEnumerable<ObjectFormat<T>> All => others is null ? variants : variants.Concat(others());
 
     public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out T value)
     {
@@ -35,7 +42,7 @@ internal sealed class VariantFormat<T>(string key, string description, IReadOnly
         ["description"] = description,
         ["type"] = "object",
         ["required"] = new JsonArray(key),
-        ["anyOf"] = new JsonArray([.. variants.Select(variant => variant.Schema(schema))]),
+        ["anyOf"] = new JsonArray([.. All.Select(variant => variant.Schema(schema))]),
     };
 
     private bool TryReadVariant(SceneNode node, SceneNode tag, SceneReading reading, [MaybeNullWhen(false)] out T value)
@@ -46,7 +53,7 @@ internal sealed class VariantFormat<T>(string key, string description, IReadOnly
             return reading.WrongValue(tag, Wording.List(Names));
         }
 
-        foreach (ObjectFormat<T> variant in variants)
+        foreach (ObjectFormat<T> variant in All)
         {
             if (tag.TextIs(variant.Tag!.Value.Value))
             {

@@ -39,6 +39,16 @@ internal static class ShapeFormats
     private static readonly Key<IReadOnlyList<TextureCoordinate>> s_uvs = Key.Optional(
         "uvs", new ListFormat<TextureCoordinate>(Coordinates.Uv, "three pairs [u, v]"), "Texture coordinates of a, b and c. Default: [0, 0], [1, 0], [0, 1].");
 
+    private static readonly Key<double> s_ringRadius = Key.Optional("ringRadius", NumberFormat.Positive, 1, "Distance of the middle of the tube from the centre, object units.");
+
+    private static readonly Key<double> s_tubeRadius = Key.Optional("tubeRadius", NumberFormat.Positive, 0.25, "Radius of the tube, object units; below that of the ring.");
+
+    private static readonly Key<double> s_baseRadius = Key.Optional("radius", NumberFormat.Positive, 1, "Radius of the base, object units.");
+
+    private static readonly Key<double> s_coneHeight = Key.Optional("height", NumberFormat.Positive, 2, "Distance of the apex from the base, object units.");
+
+    private static readonly Key<ConeCaps> s_caps = Key.Optional("caps", ChoiceFormat.Of<ConeCaps>(), ConeCaps.Closed, "Whether the cone has a base.");
+
     /// <summary>The shapes that are written as numbers.</summary>
     public static IReadOnlyList<ShapeFormat> All { get; } =
     [
@@ -49,6 +59,8 @@ internal static class ShapeFormats
         new("disk", "A disk.", [s_center, s_normal, s_radius], fields => new Disk(fields.Get(s_center), fields.Get(s_normal), fields.Get(s_radius))),
         new("box", "A box along the axes.", [s_boxCorner, s_opposite], Box),
         new("triangle", "A triangle.", [s_a, s_b, s_c, s_normals, s_uvs], Triangle),
+        new("torus", "A torus around the y axis.", [s_center, s_ringRadius, s_tubeRadius], Torus),
+        new("cone", "A cone around the y axis, the apex on top.", [s_middle, s_baseRadius, s_coneHeight, s_caps], Cone),
     ];
 
     // Without point and normal the plane is y = 0 with the axes of the sheet: u along z, v along x.
@@ -63,6 +75,14 @@ internal static class ShapeFormats
         s_opposite, () => new Box(fields.Get(s_boxCorner), fields.Get(s_opposite)), "the box is flat or too large", "corners that differ in every coordinate");
 
     private static Cylinder Cylinder(Fields fields) => new(fields.Get(s_middle), fields.Get(s_radius), fields.Get(s_height));
+
+    private static Torus? Torus(Fields fields) => fields.Make(
+        s_tubeRadius,
+        () => new Torus(fields.Get(s_center), fields.Get(s_ringRadius), fields.Get(s_tubeRadius)),
+        "the tube is not thinner than the ring",
+        "a tubeRadius below the ringRadius");
+
+    private static Cone Cone(Fields fields) => new(fields.Get(s_middle), fields.Get(s_baseRadius), fields.Get(s_coneHeight), fields.Get(s_caps));
 
     private static Triangle? Triangle(Fields fields)
     {

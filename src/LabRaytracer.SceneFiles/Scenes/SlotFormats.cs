@@ -33,6 +33,9 @@ internal static class SlotFormats
             "the numbers of the transform are so large that their product is no number",
             "smaller numbers"));
 
+    /// <summary>A transform of texture coordinates.</summary>
+    public static ObjectFormat<UvTransform> UvTransforms => s_uvTransform;
+
     private static readonly Key<Intensity> s_value = Key.Optional("value", Colors.Any, Intensity.White, "The coefficient without texture, linear.");
 
     private static readonly Key<double> s_number = Key.Optional("value", NumberFormat.Any, "The coefficient without texture. Default: that of the key.");
@@ -46,13 +49,7 @@ internal static class SlotFormats
 
     private static readonly Key<IMapping> s_mapping = Key.Optional(
         "mapping",
-        new ChoiceFormat<IMapping>(
-            ("rectangular", new RectangularMapping()),
-            ("cylindrical", new CylindricalMapping()),
-            ("spherical", new SphericalMapping()),
-            ("mesh", new MeshMapping()),
-            ("disk", new DiskMapping()),
-            ("box", new BoxMapping())),
+        MappingFormats.Any,
         "How the surface is mapped to (u, v). Default: as the shape suggests.");
 
     private static readonly Key<UvTransform> s_transform = Key.Optional("transform", s_uvTransform, "Transform of (u, v) before the lookup. Default: none.");

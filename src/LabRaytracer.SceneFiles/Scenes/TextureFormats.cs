@@ -56,7 +56,8 @@ internal static class TextureFormats
             new("constantTexture", "The same colour everywhere.", [s_color], fields => new ConstantTexture(fields.Get(s_color)), ("type", "constant")),
             new("checkerTexture", "A checkerboard.", [s_even, s_odd, s_columns, s_rows, s_space, s_lineWidth, s_line], Checker, ("type", "checker")),
             new("gridTexture", "The numbered test grid of the lab sheet.", [s_gridColumns, s_gridRows, s_gridLine], Grid, ("type", "grid")),
-        ]);
+        ],
+        () => ProceduralFormats.All);
 
     /// <summary>Named textures.</summary>
     public static MapFormat<ITexture> Map { get; } = new(Inline, reading => reading.Textures);

@@ -11,6 +11,8 @@ internal readonly struct ConeKernel : IShapeKernel
 
     public static bool IsConvex => true;
 
+    public static bool IsCurved => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Cone cone = (Cone)shape;
@@ -122,4 +124,31 @@ internal readonly struct ConeKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> =>
         new(ray, new PreciseLine<R>(ray, shape[ApexX], shape[ApexY], shape[ApexZ], k), shape[Radius], shape[Height], shape[HasBase]);
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R scale = R.Of(1) / shape[Radius];
+        frame = LinearLanes<R>.Scaling(scale, R.Of(2) / shape[Height], scale);
+    }
+
+    /// <remarks>(x, rho / 2, z) on the side; nothing bends on the base, where y is exactly -1.</remarks>
+    public static void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R isSide = ~R.Equal(y, R.Of(-1)), half = R.Of(0.5);
+        R distance = R.Sqrt(R.Fma(x, x, z * z));
+        R change = R.Fma(x, stepX, z * stepZ) / R.Select(R.Less(R.Zero, distance), distance, R.Of(1));
+        normal = new NormalLanes<R>
+        {
+            X = isSide & x,
+            Y = R.Select(isSide, distance * half, R.Of(-1)),
+            Z = isSide & z,
+            StepX = isSide & stepX,
+            StepY = isSide & (change * half),
+            StepZ = isSide & stepZ,
+        };
+    }
 }

@@ -9,6 +9,8 @@ internal readonly struct TorusKernel : IShapeKernel
 
     public static int ParameterCount => 5;
 
+    public static bool IsCurved => true;
+
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
         Torus torus = (Torus)shape;
@@ -99,4 +101,25 @@ internal readonly struct TorusKernel : IShapeKernel
     private static PreciseLine<R> Line<R, P>(in P shape, in RayLanes<R> ray, R k)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], k);
+
+    public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R scale = R.Of(1) / shape[Ring];
+        frame = LinearLanes<R>.Scaling(scale, scale, scale);
+    }
+
+    /// <remarks>The way from the nearest point of the ring: p - (x, 0, z) / rho.</remarks>
+    public static void BendNormal<R, P>(in P shape, R x, R y, R z, R stepX, R stepY, R stepZ, out NormalLanes<R> normal)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R inverse = R.Of(1) / R.Sqrt(R.Fma(x, x, z * z)), share = R.Of(1) - inverse;
+        R change = R.Fma(x, stepX, z * stepZ) * inverse * inverse * inverse;
+        normal = new NormalLanes<R>
+        {
+            X = x * share, Y = y, Z = z * share, StepX = R.Fma(stepX, share, x * change), StepY = stepY, StepZ = R.Fma(stepZ, share, z * change),
+        };
+    }
 }

@@ -38,7 +38,8 @@ internal static unsafe class SamplerRun
         using LaneColumn<R> wnx = Column(l => l.WorldNormal.X), wny = Column(l => l.WorldNormal.Y), wnz = Column(l => l.WorldNormal.Z);
         using LaneMemory memory = new();
         FootprintColumns footprints = new(memory, lookups.Length + 16);
-        LocalFootprintColumns localFootprints = new(memory, lookups.Length + 16);
+        int rounded = (lookups.Length + 15) / 16 * 16;
+        LocalFootprintColumns localFootprints = new((float*)memory.Column<Float16>(6 * rounded, Float16.Width), rounded);
         for (int i = 0; i < lookups.Length; i++)
         {
             footprints.Put(i, lookups[i].Footprint);
