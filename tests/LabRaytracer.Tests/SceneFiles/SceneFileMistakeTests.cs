@@ -53,7 +53,7 @@ public sealed class SceneFileMistakeTests
     [InlineData("""{"materials": {"m": {"diffuse": {"amount": 2}}}}""", "1:44: materials.m.diffuse.amount: the number 2 does not fit; allowed: a number at least 0 and at most 1")]
     [InlineData("""{"materials": {"m": {"indexOfRefraction": 0}}}""", "1:43: materials.m.indexOfRefraction: the number 0 does not fit; allowed: a number at least 0.01 and at most 100")]
     [InlineData("""{"objects": {}}""", "1:13: objects: an object { ... } does not fit; allowed: a list of objects in brackets [ ... ]")]
-    [InlineData("""{"objects": [3]}""", "1:14: objects[0]: the number 3 does not fit; allowed: an object with 'shape': sphere, plane, quad, cylinder, disk, box, triangle, mesh")]
+    [InlineData("""{"objects": [3]}""", "1:14: objects[0]: the number 3 does not fit; allowed: an object with 'shape': sphere, plane, quad, cylinder, disk, box, triangle, torus, cone, mesh")]
     [InlineData("""{"objects": [{"shape": "sphere", "radius": 0}]}""", "1:44: objects[0].radius: the number 0 does not fit; allowed: a number above 0")]
     [InlineData("""{"objects": [{"shape": "sphere", "material": "m"}]}""", "1:46: objects[0].material: there is no material 'm'; allowed: names in 'materials', which is empty")]
     [InlineData("""{"objects": [{"shape": "sphere", "castsShadows": "no"}]}""", "1:50: objects[0].castsShadows: the text 'no' does not fit; allowed: true, false")]
