@@ -58,8 +58,8 @@ internal static class ListVerb
             }
         }
 
-        JsonNode? mappings = definitions["colorSlot"]?["properties"]?["mapping"]?["enum"];
-        writer.WriteLine($"mappings:\n  {string.Join(", ", mappings?.AsArray().Select(word => word!.GetValue<string>()) ?? [])}");
+        JsonNode? mappings = definitions["mapping"]?["anyOf"]?[0]?["enum"];
+        writer.WriteLine($"mappings by a word:\n  {string.Join(", ", mappings?.AsArray().Select(word => word!.GetValue<string>()) ?? [])}");
     }
 
     /// <summary>pointLight, point: lights.</summary>

@@ -53,7 +53,7 @@ internal static class CombinationFormats
     /// <summary>The formats.</summary>
     public static IReadOnlyList<ObjectFormat<ITexture>> All { get; } =
     [
-        new("productTexture", "Two textures multiplied.", [s_first, s_second], fields => new ProductTexture(fields.Get(s_first), fields.Get(s_second)), ("type", "multiply")),
+        new("multiplyTexture", "Two textures multiplied.", [s_first, s_second], fields => new ProductTexture(fields.Get(s_first), fields.Get(s_second)), ("type", "multiply")),
         new("mixTexture", "Two textures mixed.", [s_first, s_second, s_weight], Mix, ("type", "mix")),
         new(
             "selectTexture",
@@ -62,7 +62,7 @@ internal static class CombinationFormats
             fields => new SelectTexture(fields.Get(s_selector), fields.Get(s_below), fields.Get(s_above), fields.Get(s_threshold)),
             ("type", "select")),
         new(
-            "layeredTexture",
+            "layersTexture",
             "Textures on top of each other.",
             [s_ground, s_layers],
             fields => new LayeredTexture(fields.Get(s_ground), fields.Get(s_layers).Select(layer => layer.Layer)),

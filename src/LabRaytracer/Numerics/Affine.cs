@@ -14,7 +14,7 @@ internal static class Affine
     public static void Point<T>(ReadOnlySpan<double> rows, ref T x, ref T y, ref T z)
         where T : unmanaged, IReal<T>
     {
-        Vector(rows, ref x, ref y, ref z);
+        Step(rows, ref x, ref y, ref z);
         x += T.Of(rows[3]);
         y += T.Of(rows[7]);
         z += T.Of(rows[11]);
@@ -26,7 +26,7 @@ internal static class Affine
     /// <param name="y">Component; replaced.</param>
     /// <param name="z">Component; replaced.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Vector<T>(ReadOnlySpan<double> rows, ref T x, ref T y, ref T z)
+    public static void Step<T>(ReadOnlySpan<double> rows, ref T x, ref T y, ref T z)
         where T : unmanaged, IReal<T> =>
         (x, y, z) = (Row(rows, 0, 1, x, y, z), Row(rows, 4, 1, x, y, z), Row(rows, 8, 1, x, y, z));
 

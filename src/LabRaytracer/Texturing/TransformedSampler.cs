@@ -99,10 +99,10 @@ internal sealed unsafe class TransformedSampler(TransformedTexture texture, Text
         for (int i = 0; i < count; i++)
         {
             F x = ((F*)from.XDx)[i], y = ((F*)from.YDx)[i], z = ((F*)from.ZDx)[i];
-            Affine.Vector(inverse, ref x, ref y, ref z);
+            Affine.Step(inverse, ref x, ref y, ref z);
             (((F*)to.XDx)[i], ((F*)to.YDx)[i], ((F*)to.ZDx)[i]) = (x, y, z);
             (x, y, z) = (((F*)from.XDy)[i], ((F*)from.YDy)[i], ((F*)from.ZDy)[i]);
-            Affine.Vector(inverse, ref x, ref y, ref z);
+            Affine.Step(inverse, ref x, ref y, ref z);
             (((F*)to.XDy)[i], ((F*)to.YDy)[i], ((F*)to.ZDy)[i]) = (x, y, z);
         }
 

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace LabRaytracer;
 
 /// <summary>A texture moved, turned and scaled: through the object's volume, and over texture space.</summary>
@@ -44,8 +42,8 @@ public sealed class TransformedTexture : IPreparedTexture
             }
 
             // Footprints on surfaces are known in object space only.
-            needs &= (needs & TextureNeeds.Coordinate) == 0 ? ~TextureNeeds.Footprint : ~TextureNeeds.None;
-            return (needs & ~TextureNeeds.LocalPoint) | TextureNeeds.WorldPoint;
+            bool readsCoordinate = (needs & TextureNeeds.Coordinate) != 0;
+            return (needs & ~(readsCoordinate ? TextureNeeds.LocalPoint : TextureNeeds.LocalPoint | TextureNeeds.Footprint)) | TextureNeeds.WorldPoint;
         }
     }
 
@@ -102,7 +100,7 @@ public sealed class TransformedTexture : IPreparedTexture
     private Vector3D Step(Vector3D step)
     {
         Float1 x = Single(step.X), y = Single(step.Y), z = Single(step.Z);
-        Affine.Vector(Transform.ObjectFromWorldRows, ref x, ref y, ref z);
+        Affine.Step(Transform.ObjectFromWorldRows, ref x, ref y, ref z);
         return new Vector3D(x.Value, y.Value, z.Value);
     }
 }

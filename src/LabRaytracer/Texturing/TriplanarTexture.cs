@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace LabRaytracer;
 
 /// <summary>A texture projected along the three axes and blended by the normal: for shapes that no mapping unrolls.</summary>

@@ -40,7 +40,7 @@ internal static class ValueNoise
         I cellX = Lattice.Cell<R, F, I>(x, out F insideX);
         I cellY = Lattice.Cell<R, F, I>(y, out F insideY);
         I cellZ = Lattice.Cell<R, F, I>(z, out F insideZ);
-        Row<F, I> row = new(cellX, insideX, key);
+        LatticeRow<F, I> row = new(cellX, insideX, key);
         if (isFlat)
         {
             return Clamp(row.Plane(cellY, cellZ, insideY));
@@ -88,7 +88,7 @@ internal static class ValueNoise
         where F : unmanaged, IReal<F> => F.Min(F.Max(value, F.Of(-1)), F.Of(1));
 
     /// <summary>Four lattice points along x and their weights.</summary>
-    private readonly struct Row<F, I>
+    private readonly struct LatticeRow<F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
@@ -96,7 +96,7 @@ internal static class ValueNoise
         private readonly F _beforeShare, _leftShare, _rightShare, _afterShare;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Row(I cell, F inside, int key)
+        public LatticeRow(I cell, F inside, int key)
         {
             (_before, _left) = (CellHash.Column(Lattice.Next(cell, -1), key), CellHash.Column(cell, key));
             (_right, _after) = (CellHash.Column(Lattice.Next(cell, 1), key), CellHash.Column(Lattice.Next(cell, 2), key));
