@@ -32,7 +32,7 @@ internal static class CombinationFormats
         "coverage", ProceduralFormats.Texture, "Texture whose luminance says how much of what is below is covered. Default: the alpha of the texture.");
 
     private static readonly ObjectFormat<LayerValue> s_layer = new(
-        "textureLayer", "A layer over other textures.", [s_texture, s_coverage], fields => new LayerValue(new TextureLayer(fields.Get(s_texture), fields.Find(s_coverage))));
+        "textureCover", "A layer over other textures.", [s_texture, s_coverage], fields => new LayerValue(new TextureCover(fields.Get(s_texture), fields.Find(s_coverage))));
 
     private static readonly Key<IReadOnlyList<LayerValue>> s_layers = Key.Required(
         "layers", new ListFormat<LayerValue>(s_layer, "layers { texture, coverage }"), "The layers, from the lowest to the topmost.");
@@ -91,5 +91,5 @@ internal static class CombinationFormats
 
     /// <summary>A layer as a reference, which a list of values may hold.</summary>
     /// <param name="Layer">The layer.</param>
-    private sealed record LayerValue(TextureLayer Layer);
+    private sealed record LayerValue(TextureCover Layer);
 }

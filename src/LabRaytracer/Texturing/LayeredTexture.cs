@@ -10,7 +10,7 @@ public sealed class LayeredTexture : IPreparedTexture
     /// <param name="ground">The texture below all layers.</param>
     /// <param name="layers">The layers, from the lowest to the topmost.</param>
     /// <exception cref="ArgumentNullException">A texture is missing.</exception>
-    public LayeredTexture(ITexture ground, params IEnumerable<TextureLayer> layers)
+    public LayeredTexture(ITexture ground, params IEnumerable<TextureCover> layers)
     {
         Ground = PropertyChecks.NotNull(ground);
         Layers = [.. PropertyChecks.NotNull(layers)];
@@ -21,7 +21,7 @@ public sealed class LayeredTexture : IPreparedTexture
     public ITexture Ground { get; }
 
     /// <summary>The layers, from the lowest to the topmost.</summary>
-    public IReadOnlyList<TextureLayer> Layers { get; }
+    public IReadOnlyList<TextureCover> Layers { get; }
 
     /// <inheritdoc/>
     public TextureNeeds Needs => _folded.Needs;

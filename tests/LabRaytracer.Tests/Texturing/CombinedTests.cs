@@ -35,7 +35,7 @@ public sealed class CombinedTests
     public void Layers_CoverWhatIsBelow()
     {
         var half = new ConstantTexture(Intensity.Grey(0.5f));
-        var stack = new LayeredTexture(s_red, new TextureLayer(s_blue, half), new TextureLayer(s_u, half));
+        var stack = new LayeredTexture(s_red, new TextureCover(s_blue, half), new TextureCover(s_u, half));
         Assert.Equal(new Intensity(0.375f, 0.125f, 0.25f), stack.Sample(TextureLookup.At(0.25, 0)));
     }
 
@@ -59,7 +59,7 @@ public sealed class CombinedTests
         Assert.Equal(TextureNeeds.None, new MixTexture(s_red, s_u, 0).Needs);
         Assert.Equal(TextureNeeds.Coordinate, new MixTexture(s_red, s_u, 1).Needs);
         Assert.Equal(TextureNeeds.None, new SelectTexture(s_red, s_blue, s_u).Needs);
-        Assert.Equal(TextureNeeds.None, new LayeredTexture(s_u, new TextureLayer(s_red, new ConstantTexture(Intensity.White))).Needs);
+        Assert.Equal(TextureNeeds.None, new LayeredTexture(s_u, new TextureCover(s_red, new ConstantTexture(Intensity.White))).Needs);
         Assert.Equal(TextureNeeds.None, new TransformedTexture(s_red, Transform.Scaling(new Vector3D(2, 2, 2))).Needs);
         Assert.Equal(TextureNeeds.None, new TriplanarTexture(s_red).Needs);
         Assert.Equal(TextureNeeds.LocalPoint, new TriplanarTexture(s_u).Needs);

@@ -26,7 +26,7 @@ public sealed class PatternBatchTests
             ["product"] = new ProductTexture(s_clouds, s_checker),
             ["mix"] = new MixTexture(s_clouds, s_checker, new GradientTexture()),
             ["select"] = new SelectTexture(s_clouds, s_checker, new GridTexture(), 0.6),
-            ["layers"] = new LayeredTexture(s_checker, new TextureLayer(s_clouds, new WorleyTexture()), new TextureLayer(new BrickTexture(), s_checker)),
+            ["layers"] = new LayeredTexture(s_checker, new TextureCover(s_clouds, new WorleyTexture()), new TextureCover(new BrickTexture(), s_checker)),
             ["ramp"] = new RampTexture(s_clouds, ColorRamp.Between(new Intensity(1, 0, 0), new Intensity(0, 0, 1))),
             ["transformed"] = new TransformedTexture(s_clouds, s_move),
             ["transformed uv"] = new TransformedTexture(s_checker) { Uv = new UvTransform(new(0.1, 0.2), 30, new(2, 3), new(0, 0)) },
