@@ -15,6 +15,7 @@ internal static class TexturePictures
         ["spots.png"] = () => Draw(512, 256, Spots),
         ["sky.png"] = () => Draw(2048, 1024, SkyPicture.ColorAt),
         ["evening.hdr"] = () => Draw(512, 256, SkyPicture.RadianceAt),
+        ["probe.png"] = Probe,
     };
 
     /// <summary>Draws a picture of a colour function of (u, v), v up: the mean of 3 x 3 points in each texel.</summary>
@@ -97,6 +98,18 @@ internal static class TexturePictures
         bool isMortar = inside is < 0.03f or > 0.97f || up is < 0.06f or > 0.94f;
         float tone = 0.65f + (0.5f * (LatticeNoise.At(brick, course, 9) - 0.5f)) + (0.4f * (grain - 0.5f));
         return isMortar ? Intensity.Grey(0.36f + (0.2f * grain)) : new Intensity(0.55f, 0.2f, 0.12f) * tone;
+    }
+
+    /// <summary>The landscape as a light probe that faces -Z: what a fisheye of 360 degrees sees of it.</summary>
+    private static Picture Probe()
+    {
+        TextureSlot sky = new()
+        {
+            Texture = Texture.FromPicture(Draw(1024, 512, SkyPicture.ColorAt)),
+            Transform = new UvTransform(new TextureCoordinate(0, 0), 0, new TextureCoordinate(-1, 1), new TextureCoordinate(0, 0)),
+        };
+        var scene = new Scene { Camera = new FisheyeCamera(Point3D.Origin, new Point3D(0, 0, -1), 360), Background = sky };
+        return Renderer.Render(scene, new RenderOptions { Width = 512, Height = 512, Samples = 9 }).Picture;
     }
 
     /// <summary>Round spots in white on black: for slots that are switched on and off over a surface.</summary>

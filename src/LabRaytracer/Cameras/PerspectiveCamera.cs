@@ -41,6 +41,9 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
     /// <summary>Vertical angle of view, degrees, (0, 180).</summary>
     public double FieldOfViewDegrees { get; }
 
+    /// <summary>Position and axes.</summary>
+    internal CameraFrame Frame => _frame;
+
     /// <inheritdoc/>
     public override Ray RayAt(double x, double y, int width, int height) => ScalarCamera.RayAt(this, x, y, width, height);
 

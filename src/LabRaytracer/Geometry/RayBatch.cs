@@ -60,6 +60,12 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Number of rays.</summary>
     public int Count { get; set; }
 
+    /// <summary>The columns that cameras write.</summary>
+    public RayColumns<R> Columns => new()
+    {
+        OriginX = OriginX, OriginY = OriginY, OriginZ = OriginZ, DirectionX = DirectionX, DirectionY = DirectionY, DirectionZ = DirectionZ,
+    };
+
     /// <summary>Number of groups of lanes that hold them.</summary>
     public int Packets => (Count + R.Width - 1) / R.Width;
 

@@ -25,7 +25,7 @@ internal readonly record struct EnvironmentLattice(int Columns, int Rows, int Po
         bool isLatLong = radiance.Mapping is null or SphericalMapping && radiance.Transform.IsIdentity;
         int width = isLatLong ? picture.Width : Math.Max(picture.Width, picture.Height), height = isLatLong ? picture.Height : width;
         int columns = Cells(width, LeastColumns, MostColumns), rows = Cells(height, LeastRows, MostRows);
-        bool fits = isLatLong && Fits(width, columns) && Fits(height, rows) && picture.Sampling.Texels == TexelConvention.Center;
+        bool fits = isLatLong && radiance.Layers.Count == 0 && Fits(width, columns) && Fits(height, rows) && picture.Sampling.Texels == TexelConvention.Center;
         return new EnvironmentLattice(columns, rows, PointsOf(width, columns), PointsOf(height, rows), fits ? 0 : 1.0 / 16);
     }
 

@@ -51,7 +51,7 @@ internal sealed unsafe class EnvironmentStage<R, F, I>
     {
         int samples = environment.Light.Samples;
         EnvironmentTable table = environment.Table!;
-        (uint, uint) point = _places.Point(sample, samples);
+        (uint, uint) point = LampPlaces<R, F, I>.Point(sample);
         for (int i = 0; i < count; i++)
         {
             (uint s, uint t) = _places.Fraction(i, point);

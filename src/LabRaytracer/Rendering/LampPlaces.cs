@@ -36,20 +36,14 @@ internal sealed unsafe class LampPlaces<R, F, I>(PixelSampling sampling, int[] p
 
     /// <summary>The point of the sequence that a sample scrambles.</summary>
     /// <param name="sample">Number of the sample of a hit.</param>
-    /// <param name="samples">Samples of a hit.</param>
-    public (uint S, uint T) Point(int sample, int samples)
-    {
-        uint number = ((uint)sampling.Sample * (uint)samples) + (uint)sample;
-        return (SquareSequence.First(number), SquareSequence.Second(number));
-    }
+    public static (uint S, uint T) Point(int sample) => (SquareSequence.First((uint)sample), SquareSequence.Second((uint)sample));
 
     /// <summary>Writes the places of a sample of every hit.</summary>
     /// <param name="sample">Number of the sample of a hit.</param>
-    /// <param name="samples">Samples of a hit.</param>
     /// <param name="packets">Groups of lanes.</param>
-    public void Place(int sample, int samples, int packets)
+    public void Place(int sample, int packets)
     {
-        (uint s, uint t) = Point(sample, samples);
+        (uint s, uint t) = Point(sample);
         I first = I.Of((int)s), second = I.Of((int)t);
         for (int packet = 0; packet < packets; packet++)
         {

@@ -55,7 +55,7 @@ internal sealed unsafe class LampSampler<R, F, I>(
         int samples = light.SampleCount;
         if (samples > 1)
         {
-            places!.Place(sample, samples, packets);
+            places!.Place(sample, packets);
         }
 
         if (light is IWideAreaLight area)

@@ -47,18 +47,26 @@ internal sealed class PixelSampling(int seed, int pixels)
     /// <summary>Starts the rays after a number of reflections and refractions.</summary>
     public void StartDepth(int depth) => Depth = depth;
 
-    /// <summary>Two random 32-bit numbers.</summary>
+    /// <summary>Two random 32-bit numbers that lead, by exclusive-or, from the first points of the sequence to those of the pixel's current sample.</summary>
     /// <param name="pixel">Number in the tile.</param>
     /// <param name="purpose">What for: different numbers for each.</param>
     /// <param name="points">Points of a sample.</param>
     /// <remarks>
-    /// They also lead from the first points of the sequence to those of the pixel's own sample: bits of numbers that do not overlap are added by exclusive-or,
-    /// which the sequence hands on to its points.
+    /// Samples take blocks of a power of two of points, in an order that is shuffled inside of ever larger blocks: all samples of a pixel fill the square evenly, and
+    /// those of different purposes have nothing to do with each other. Bits of numbers that do not overlap add up by exclusive-or, which the sequence hands on to its
+    /// points. Where points are no power of two, every sample is scrambled anew.
     /// </remarks>
     public (int First, int Second) Scramble(int pixel, int purpose, int points)
     {
         ulong random = SampleOffsets.Mix(_states[pixel] ^ (uint)purpose);
-        uint start = (uint)_samples[pixel] * BitOperations.RoundUpToPowerOf2((uint)points);
+        uint sample = (uint)(_samples[pixel] + Sample);
+        if (!BitOperations.IsPow2(points))
+        {
+            random = SampleOffsets.Mix(random ^ sample);
+            return ((int)(random >> 32), (int)random);
+        }
+
+        uint start = SobolSequence.Scramble(sample, (uint)SampleOffsets.Mix(random)) * (uint)points;
         return ((int)((uint)(random >> 32) ^ SquareSequence.First(start)), (int)((uint)random ^ SquareSequence.Second(start)));
     }
 }

@@ -13,7 +13,9 @@ internal static class SobolSequence
         Unit * Scramble(axis == 0 ? SquareSequence.First(number) : SquareSequence.Second(number), scramble);
 
     /// <summary>Owen's scrambling by a hash in which a digit depends on higher digits only: Burley, "Practical Hash-based Owen Scrambling", 2020.</summary>
-    private static uint Scramble(uint value, uint seed)
+    /// <param name="value">Digits in base 2.</param>
+    /// <param name="seed">Chooses the scrambling.</param>
+    public static uint Scramble(uint value, uint seed)
     {
         // The first coordinate of the sequence is its argument with the bits in reverse.
         value = SquareSequence.First(value) + seed;

@@ -5,7 +5,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
 {
     private readonly SamplePlaces _places;
     private readonly PixelEstimates? _estimates;
-    private readonly Slot[] _slots = [];
+    private readonly PixelSlot[] _slots = [];
     private readonly List<(int X, int Y)> _chosen = [];
     private int _slotCount;
 
@@ -22,7 +22,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
                 (int px, int py) = Place(i);
                 if (px < width && py < height)
                 {
-                    AddSlot(estimates, x, y, new Slot(px, py, sample));
+                    AddSlot(estimates, x, y, new PixelSlot(px, py, sample));
                 }
             }
         }
@@ -58,7 +58,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
                 int count = estimates.Count(px, py);
                 for (int sample = count; sample < 2 * count; sample++)
                 {
-                    AddSlot(estimates, x, y, new Slot(px, py, sample));
+                    AddSlot(estimates, x, y, new PixelSlot(px, py, sample));
                 }
             }
 
@@ -69,7 +69,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         return error;
     }
 
-    private void AddSlot(PixelEstimates estimates, int x, int y, Slot slot)
+    private void AddSlot(PixelEstimates estimates, int x, int y, PixelSlot slot)
     {
         _slots[_slotCount++] = slot;
         if (_slotCount == Pixels)
@@ -83,7 +83,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     {
         for (int i = 0; i < _slotCount; i++)
         {
-            Slot slot = _slots[i];
+            PixelSlot slot = _slots[i];
             double atX = _places.At(x + slot.X, y + slot.Y, slot.Sample, 0), atY = _places.At(x + slot.X, y + slot.Y, slot.Sample, 1);
             _slots[i].IsNegative = _places.Warp.IsNegative(atX, atY);
             _sampling?.Start(i, x + slot.X, y + slot.Y, slot.Sample);
@@ -112,7 +112,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     }
 
     /// <summary>A sample on its way: a pixel of the tile and the number of its sample.</summary>
-    private struct Slot(int x, int y, int sample)
+    private struct PixelSlot(int x, int y, int sample)
     {
         public readonly int X = x, Y = y, Sample = sample;
 

@@ -25,6 +25,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private readonly TileColors<F> _colors;
     private readonly SeamMarks? _seams;
     private readonly PixelSampling? _sampling;
+    private readonly LensStage<R, F, I>? _lens;
     private bool _hasPrimaryOrder;
     private SecondaryQueue _queue;
     private SecondaryQueue _next;
@@ -51,9 +52,10 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         if (ViewStage.IsColor(options.View) && (options.HasBudget || _places.Warp.IsSigned))
         {
             _estimates = new PixelEstimates(Side, _places.Warp.Gain);
-            _slots = new Slot[Pixels];
+            _slots = new PixelSlot[Pixels];
         }
 
+        _lens = scene.Camera.HasLens && options.View != RenderView.Seam ? new LensStage<R, F, I>(scene.Camera, _sampling!, _memory, Pixels) : null;
         _seams = options.View == RenderView.Seam ? new SeamMarks(Pixels) : null;
         for (int i = 0; i < Pixels; i++)
         {
@@ -178,6 +180,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private void AimCamera()
     {
         AimRays();
+        _lens?.Run(_rays, _sampleX, _sampleY, _options);
         if (_rays.HasDifferentials)
         {
             CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options);
@@ -188,16 +191,11 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     {
         if (_scene.Camera is IWideCamera wide)
         {
-            RayColumns<R> columns = new()
-            {
-                OriginX = _rays.OriginX, OriginY = _rays.OriginY, OriginZ = _rays.OriginZ,
-                DirectionX = _rays.DirectionX, DirectionY = _rays.DirectionY, DirectionZ = _rays.DirectionZ,
-            };
-            wide.Rays(_sampleX, _sampleY, columns, _rays.Packets, _options.Width, _options.Height);
+            wide.Rays(_sampleX, _sampleY, _rays.Columns, _rays.Packets, _options.Width, _options.Height);
             return;
         }
 
-        for (int i = 0; i < _rays.Count; i++)
+        for (int i = 0; _lens is null && i < _rays.Count; i++)
         {
             _rays.Set(i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
         }

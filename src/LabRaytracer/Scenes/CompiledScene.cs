@@ -73,7 +73,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     public Intensity EvenSky { get; private set; }
 
     /// <summary>Tells whether rendering takes several samples of something: then pixels need random numbers.</summary>
-    public bool NeedsSampling => Lights.Any(light => light.SampleCount > 1 || light is EnvironmentLight);
+    public bool NeedsSampling => Camera.HasLens || Lights.Any(light => light.SampleCount > 1 || light is EnvironmentLight);
 
     /// <summary>Sum of all ambient light.</summary>
     public Intensity Ambient { get; }

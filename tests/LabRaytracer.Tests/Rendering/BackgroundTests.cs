@@ -53,6 +53,35 @@ public sealed class BackgroundTests
         Assert.Equal(still.G, turned.G, 1e-6);
     }
 
+    [Theory]
+    [InlineData(32)]
+    [InlineData(101)]
+    public void FisheyeOfAllDirections_SeesALightProbeBack(int size)
+    {
+        // Inside of the circle; outside of it a light probe has no directions.
+        Texture texture = TestScenes.Random(size, size).With(new SamplingOptions { Filter = TextureFilter.Nearest });
+        var scene = new Scene
+        {
+            Camera = new FisheyeCamera(new Point3D(1, 2, 3), new Point3D(1, 2, 2), 360),
+            Background = new TextureSlot { Texture = texture, Mapping = new LightProbeMapping { Facing = LightProbeFacing.NegativeZ } },
+        };
+        Picture seen = TestScenes.Render(scene, size, size);
+        int inside = 0, differing = 0;
+        for (int i = 0; i < size * size; i++)
+        {
+            int x = i % size, y = i / size;
+            double a = (2 * (x + 0.5) / size) - 1, b = (2 * (y + 0.5) / size) - 1;
+            if ((a * a) + (b * b) < 1)
+            {
+                inside++;
+                differing += texture.ColorMap[x, y] == seen[x, size - 1 - y] ? 0 : 1;
+            }
+        }
+
+        Assert.True(inside > 0.75 * size * size);
+        Assert.Equal(0, differing);
+    }
+
     [Fact]
     public void Mirror_ShowsWhatLiesInTheMirroredDirection()
     {
