@@ -41,6 +41,9 @@ internal static class TextureFormats
 
     private static readonly Key<Intensity> s_line = Key.Optional("line", Colors.Any, Intensity.Black, "Colour of the lines.");
 
+    private static readonly Key<PatternFilter> s_patternFilter = Key.Optional(
+        "filter", ChoiceFormat.Of<PatternFilter>(), PatternFilter.Nearest, "Colours of points, or means over what samples cover.");
+
     private static readonly Key<int> s_gridColumns = Key.Optional("columns", new IntegerFormat(2, 100), s_grid.Columns, "Cells along u from 0 to 1.");
 
     private static readonly Key<int> s_gridRows = Key.Optional("rows", new IntegerFormat(2, 100), s_grid.Rows, "Cells along v from 0 to 1.");
@@ -54,7 +57,7 @@ internal static class TextureFormats
         [
             new("imageTexture", "A picture file.", [s_file, s_filter, s_texels, s_wrapU, s_wrapV, s_colorSpace], Open, ("type", "image")),
             new("constantTexture", "The same colour everywhere.", [s_color], fields => new ConstantTexture(fields.Get(s_color)), ("type", "constant")),
-            new("checkerTexture", "A checkerboard.", [s_even, s_odd, s_columns, s_rows, s_space, s_lineWidth, s_line], Checker, ("type", "checker")),
+            new("checkerTexture", "A checkerboard.", [s_even, s_odd, s_columns, s_rows, s_space, s_lineWidth, s_line, s_patternFilter], Checker, ("type", "checker")),
             new("gridTexture", "The numbered test grid of the lab sheet.", [s_gridColumns, s_gridRows, s_gridLine], Grid, ("type", "grid")),
         ],
         () => ProceduralFormats.All);
@@ -92,6 +95,7 @@ internal static class TextureFormats
         Space = fields.Get(s_space),
         LineWidth = fields.Get(s_lineWidth),
         Line = fields.Get(s_line),
+        Filter = fields.Get(s_patternFilter),
     };
 
     private static GridTexture Grid(Fields fields) => new()

@@ -7,6 +7,7 @@ namespace LabRaytracer;
 /// <para>Texture space: (floor(n_u u) + floor(n_v v)) mod 2 chooses the colour. Volume: (floor(n_u x) + floor(n_v y) + floor(n_u z)) mod 2.
 /// A surface that lies exactly on a cell boundary takes the cell its normal points away from, so a floor at y = 0 does not flicker.</para>
 /// <para>Lines, if any, are drawn where a texture-space cell's fractional part is below half of the line width or above one minus that.</para>
+/// <para>With <see cref="PatternFilter.Area"/> the colour is the mean over the footprint: products of exact means of square waves, see there.</para>
 /// <para>Immutable, thread safe.</para>
 /// </remarks>
 public sealed class CheckerTexture : IPreparedTexture
@@ -53,12 +54,21 @@ public sealed class CheckerTexture : IPreparedTexture
     /// <summary>Colour of the lines. Default: black.</summary>
     public Intensity Line { get; init; } = Intensity.Black;
 
+    /// <summary>Whether colours are those of points or means over what samples cover. Default: nearest, points.</summary>
+    public PatternFilter Filter { get; init => field = PropertyChecks.Known(value); }
+
     /// <inheritdoc/>
-    public TextureNeeds Needs => Space == CheckerSpace.Uv ? TextureNeeds.Coordinate : TextureNeeds.LocalPoint;
+    public TextureNeeds Needs =>
+        (Space == CheckerSpace.Uv ? TextureNeeds.Coordinate : TextureNeeds.LocalPoint) | (Filter == PatternFilter.Area ? TextureNeeds.Footprint : TextureNeeds.None);
 
     /// <inheritdoc/>
     public Intensity Sample(in TextureLookup lookup)
     {
+        if (Filter == PatternFilter.Area)
+        {
+            return CheckerAreaSampler.Sample(this, lookup);
+        }
+
         if (Space == CheckerSpace.Uv)
         {
             Double1 u = new(lookup.Coordinate.U * Columns), v = new(lookup.Coordinate.V * Rows);
@@ -71,11 +81,12 @@ public sealed class CheckerTexture : IPreparedTexture
         return Double1.Any(IsOdd(sum)) ? Odd : Even;
     }
 
-    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new Sampler(this);
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
+        Filter == PatternFilter.Area ? new CheckerAreaSampler(this) : new Sampler(this);
 
     /// <summary>Number of the cell along one axis of the volume; a point exactly on a boundary belongs to the side its normal points away from.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static R Cell<R>(R coordinate, double cells, R normal)
+    internal static R Cell<R>(R coordinate, double cells, R normal)
         where R : unmanaged, IReal<R>
     {
         R scaled = coordinate * R.Of(cells);

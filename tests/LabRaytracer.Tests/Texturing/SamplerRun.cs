@@ -24,6 +24,18 @@ internal static unsafe class SamplerRun
         return choice < 2 ? default : new TextureFootprint(Math.ScaleB(1, choice - 9), Math.ScaleB(-0.75, choice - 9), 0.0078125, 0.015625);
     }
 
+    /// <summary>The same lookups with footprints: points, boxes along the axes, thin and long ones, huge ones; floats, as batches hold them.</summary>
+    public static TextureLookup[] FootprintLookups(TextureWrap wrapU, TextureWrap wrapV)
+    {
+        float[] steps = [0, 0.25f, -0.125f, 1e-3f, 0.7f, 3.3f, -1e-9f, 40, 1e12f];
+        float Step(int i) => steps[i % steps.Length];
+        return [.. Lookups(wrapU, wrapV).Select((lookup, i) => lookup with
+        {
+            Footprint = new TextureFootprint(Step(i), Step(i / 2), Step(i / 3), Step(i / 5)),
+            LocalFootprint = new SurfaceFootprint(new Vector3D(Step(i), Step(i / 2), Step(i / 4)), new Vector3D(Step(i / 3), Step(i / 5), Step(i / 7))),
+        })];
+    }
+
     /// <summary>Colours of lookups that share their wraps, through the batch door.</summary>
     public static Intensity[] Sample<R, F, I>(TextureSampler sampler, TextureLookup[] lookups)
         where R : unmanaged, ILane<R, F, I>
@@ -64,10 +76,12 @@ internal static unsafe class SamplerRun
     }
 
     /// <summary>Fails unless the batch door gives the bits of <see cref="ITexture.Sample"/> at every width.</summary>
-    public static void SameAsScalar(ITexture texture, TextureWrap wrapU, TextureWrap wrapV)
+    public static void SameAsScalar(ITexture texture, TextureWrap wrapU, TextureWrap wrapV) => SameAsScalar(texture, Lookups(wrapU, wrapV));
+
+    /// <summary>The same for any lookups that share their wraps.</summary>
+    public static void SameAsScalar(ITexture texture, TextureLookup[] lookups)
     {
         TextureSampler sampler = ((IPreparedTexture)texture).Prepare(TextureUse.Color, filter: null);
-        TextureLookup[] lookups = Lookups(wrapU, wrapV);
         Intensity[] expected = [.. lookups.Select(lookup => texture.Sample(lookup))];
         Same(expected, Sample<Double1, Float1, Int1>(sampler, lookups), lookups);
         Same(expected, Sample<Double4, Float4, Int4>(sampler, lookups), lookups);
