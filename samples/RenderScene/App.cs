@@ -34,6 +34,7 @@ internal static class App
         {
             RenderVerb.Create(console, stop),
             CompareVerb.Create(console),
+            CheckVerb.Create(console),
             FigureVerb.Create(console, stop),
             ListVerb.Create(console),
             SchemaVerb.Create(console),

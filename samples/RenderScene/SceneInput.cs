@@ -74,14 +74,6 @@ internal static class SceneInput
     private static Texture? FindTexture(Scene scene, Exception cause)
     {
         string? path = cause is PictureFormatException format ? format.Path : ((FileNotFoundException)cause).FileName;
-        return scene.Objects.Select(item => item.Material).Distinct().SelectMany(Textures).Append(scene.Background.Texture)
-            .Concat(scene.Lights.OfType<EnvironmentLight>().Select(light => light.Radiance.Texture))
-            .OfType<Texture>().FirstOrDefault(texture => texture.Path == path);
+        return SceneTextures.Used(scene).Select(use => use.Texture).OfType<Texture>().FirstOrDefault(texture => texture.Path == path);
     }
-
-    private static IEnumerable<ITexture?> Textures(Material material) =>
-    [
-        material.Ambient?.Texture, material.Diffuse.Texture, material.Specular.Texture, material.Shininess.Texture, material.Reflection.Texture,
-        material.Transparency.Texture, material.IndexOfRefraction.Texture, material.Emission.Texture,
-    ];
 }
