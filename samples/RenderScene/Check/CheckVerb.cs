@@ -1,5 +1,4 @@
 using System.CommandLine;
-using LabRaytracer;
 
 namespace RenderScene;
 
