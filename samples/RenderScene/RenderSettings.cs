@@ -41,13 +41,15 @@ internal sealed class RenderSettings
 
     private readonly Option<string?> _crop = new("--crop") { HelpName = "X,Y,W,H", Description = "Render this part of the picture only; (0, 0) is the top left pixel." };
 
+    private readonly Option<bool> _noSkip = new("--no-skip") { Description = "Do also what cannot change the picture: same bits, to measure what skipping saves." };
+
     private readonly Option<string?> _view = Choice("--view", "What the picture shows", s_views.Keys);
 
     /// <summary>The word of a precision.</summary>
     public static string Word(Precision precision) => s_precisions.First(word => precision.Equals(word.Value)).Key;
 
     /// <summary>All of them, to add to a command.</summary>
-    public IEnumerable<Option> All => [_size, _samples, _budget, _maxSamples, _pattern, _pixelFilter, _seed, _threads, _precision, _filter, _crop, _view];
+    public IEnumerable<Option> All => [_size, _samples, _budget, _maxSamples, _pattern, _pixelFilter, _seed, _threads, _precision, _filter, _crop, _noSkip, _view];
 
     /// <summary>The options of a scene with those of the command line in their place.</summary>
     /// <param name="parsed">The command line.</param>
@@ -75,6 +77,7 @@ internal sealed class RenderSettings
             Threads = Given(parsed, _threads, text => OptionText.Integer("--threads", text, 1, 1024), scene.Threads),
             Precision = Given(parsed, _precision, text => (Precision)OptionText.Word("--precision", text, s_precisions), scene.Precision),
             MaxDepth = scene.MaxDepth,
+            Skipping = parsed.GetValue(_noSkip) ? Skipping.Off : scene.Skipping,
             Filter = Given(parsed, _filter, text => (TextureFilter?)OptionText.Word("--filter", text, s_filters), scene.Filter),
             View = Given(parsed, _view, text => (RenderView)OptionText.Word("--view", text, s_views), scene.View),
             Crop = Given(parsed, _crop, text => Crop(text, size[0], size[1]), scene.Crop),

@@ -92,9 +92,20 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
             writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {words,-34} {value,14:#,0}"));
         }
 
+        WriteSkipped(writer);
         foreach ((string stage, double seconds) in statistics.StageSeconds)
         {
             writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {$"stage {stage}, all threads",-34} {seconds,14:0.000} s"));
+        }
+    }
+
+    private void WriteSkipped(TextWriter writer)
+    {
+        writer.WriteLine("  left out, and what it would have cost, all threads (count x mean cost of its kind in this render)");
+        foreach (SkippedWork work in statistics.Skipped)
+        {
+            string cost = work.Seconds is { } seconds ? string.Create(CultureInfo.InvariantCulture, $"{seconds:0.000} s") : "unknown: none was done";
+            writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"    {work.Item,-48} {work.Count,14:#,0}  {cost}"));
         }
     }
 
@@ -129,6 +140,21 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
             json.WriteNumber(key, value);
         }
 
+        json.WriteStartArray("skipped");
+        foreach (SkippedWork work in statistics.Skipped)
+        {
+            json.WriteStartObject();
+            json.WriteString("item", work.Item);
+            json.WriteNumber("count", work.Count);
+            if (work.Seconds is { } seconds)
+            {
+                json.WriteNumber("seconds", seconds);
+            }
+
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
         json.WriteStartObject("stageSeconds");
         foreach ((string stage, double seconds) in statistics.StageSeconds)
         {

@@ -26,14 +26,17 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     private readonly BvhSceneEntry<R, F, I>[] _inside;
     private readonly BundleSearch _search;
     private readonly Bvh? _tree;
+    private readonly bool _usesBundles;
 
     /// <summary>Sorts the objects.</summary>
     /// <param name="bounds">World box of each object; may be unbounded.</param>
     /// <param name="groupOfEntry">Group of each object.</param>
     /// <param name="memberOfEntry">Number of each object in its group.</param>
     /// <param name="threads">Threads that may work on it, at least 1.</param>
-    public SceneBvh(ReadOnlySpan<Bounds> bounds, ShapeGroup<R, F, I>[] groupOfEntry, int[] memberOfEntry, int threads)
+    /// <param name="usesBundles">Whether objects that no ray of a bundle can meet are left out for all of them at once.</param>
+    public SceneBvh(ReadOnlySpan<Bounds> bounds, ShapeGroup<R, F, I>[] groupOfEntry, int[] memberOfEntry, int threads, bool usesBundles = true)
     {
+        _usesBundles = usesBundles;
         List<Bounds> boxes = [];
         List<BvhSceneEntry<R, F, I>> boxed = [], outside = [];
         for (int entry = 0; entry < bounds.Length; entry++)
@@ -111,7 +114,7 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
         }
 
         BundleCandidate* candidates = stackalloc BundleCandidate[BundleSearch.Most];
-        int count = _search.Find(bundle, candidates);
+        int count = _usesBundles ? _search.Find(bundle, candidates) : -1;
         for (int packet = firstPacket; packet < endPacket; packet++)
         {
             if (count < 0)

@@ -7,15 +7,16 @@ internal sealed class CompiledMaterial
     /// <param name="material">The material.</param>
     /// <param name="defaultMapping">Mapping of slots that do not name one.</param>
     /// <param name="textures">Makes textures ready.</param>
-    public CompiledMaterial(Material material, IMapping defaultMapping, TexturePreparation textures)
+    /// <param name="filler">White texture that colours without texture are multiplied by, so that nothing is left out; null (default): they are constants.</param>
+    public CompiledMaterial(Material material, IMapping defaultMapping, TexturePreparation textures, ITexture? filler = null)
     {
         Material = material;
         DefaultMapping = defaultMapping;
         Textures = new LookupList(defaultMapping, textures);
-        Inside = material.Inside is { } inside ? new CompiledMaterial(inside, defaultMapping, textures) : null;
+        Inside = material.Inside is { } inside ? new CompiledMaterial(inside, defaultMapping, textures, filler) : null;
         Opacity = CompiledOpacity.Of(material, defaultMapping, textures);
         ITexture? cutOut = Opacity is not null && material.Opacity.Channel == TextureChannel.Alpha ? material.Opacity.Texture : null;
-        CompiledSlot Slot(TextureSlot slot) => Textures.Compile(slot, cutOut);
+        CompiledSlot Slot(TextureSlot slot) => Filled(Textures.Compile(slot, cutOut), filler);
         CompiledScalar Number(ScalarSlot slot, bool isUsed) => isUsed ? Textures.Compile(slot) : new CompiledScalar(slot, slot.Value, -1);
         Diffuse = Slot(material.Diffuse);
         Ambient = material.Ambient is null ? Diffuse : Slot(material.Ambient);
@@ -33,6 +34,11 @@ internal sealed class CompiledMaterial
             Diffuse.Lookup, Ambient.Lookup, Specular.Lookup, Shininess.Lookup, Reflection.Lookup, Transparency.Lookup, IndexOfRefraction.Lookup, Emission.Lookup,
         }.Count(lookup => lookup < 0);
     }
+
+    /// <summary>A constant that is not black as the product of itself and white, looked up.</summary>
+    private CompiledSlot Filled(CompiledSlot slot, ITexture? filler) => filler is null || slot.Lookup >= 0 || slot.IsBlack
+        ? slot
+        : new CompiledSlot(slot.Value, Textures.Add(filler, null, UvTransform.Identity, TextureUse.Color), BlendMode.Multiply, 1);
 
     /// <summary>The material.</summary>
     public Material Material { get; }

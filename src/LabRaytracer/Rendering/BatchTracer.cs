@@ -35,7 +35,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         HasDifferentials = scene.NeedsDifferentials;
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, HasDifferentials);
         _secondary = new SecondaryRays(capacity, HasDifferentials);
-        _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity);
+        _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity, scene.IsSkipping);
         Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
         Pixels = new int[capacity];

@@ -23,7 +23,12 @@ internal sealed unsafe class LightStage<R, F, I>(
     {
         int packets = (count + R.Width - 1) / R.Width;
         Begin(material, packets);
-        if (material.IsLit)
+        if (!material.IsLit)
+        {
+            counters.UnlitHits += (long)count * scene.Lights.Length;
+        }
+
+        if (material.IsLit || !scene.IsSkipping)
         {
             for (int lamp = 0; lamp < scene.Lights.Length; lamp++)
             {
@@ -119,7 +124,38 @@ internal sealed unsafe class LightStage<R, F, I>(
                 alpha?.Run(buffers.ShadowRays, buffers.Light.Intensity);
             }
 
-            Add(material, packets, count);
+            if (!scene.IsSkipping)
+            {
+                Forget(packets);
+            }
+
+            if (material.IsLit)
+            {
+                Add(material, packets, count);
+            }
+        }
+    }
+
+    /// <summary>Mask of the hits that a lamp can light.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private R IsReached(int packet)
+    {
+        SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        LightColumns<R, F> light = buffers.Light;
+        R lx = light.DirectionX[packet], ly = light.DirectionY[packet], lz = light.DirectionZ[packet];
+        R geometric = Lane.Dot(s.NormalX[packet], s.NormalY[packet], s.NormalZ[packet], lx, ly, lz);
+        R shading = Lane.Dot(s.ShadingX[packet], s.ShadingY[packet], s.ShadingZ[packet], lx, ly, lz);
+        F most = F.Max(light.Intensity.R[packet], F.Max(light.Intensity.G[packet], light.Intensity.B[packet]));
+        return R.Less(R.Zero, geometric) & R.Less(R.Zero, shading) & R.MaskFromSingle(F.Less(F.Zero, most));
+    }
+
+    /// <summary>Turns off the shadow rays that were only followed because nothing is skipped.</summary>
+    private void Forget(int packets)
+    {
+        R* limit = buffers.ShadowRays.Limit;
+        for (int packet = 0; packet < packets; packet++)
+        {
+            limit[packet] = R.Select(IsReached(packet), limit[packet], R.Of(-1));
         }
     }
 
@@ -133,18 +169,14 @@ internal sealed unsafe class LightStage<R, F, I>(
         int aimed = 0;
         for (int packet = 0; packet < packets; packet++)
         {
-            R lx = light.DirectionX[packet], ly = light.DirectionY[packet], lz = light.DirectionZ[packet];
-            R geometric = Lane.Dot(s.NormalX[packet], s.NormalY[packet], s.NormalZ[packet], lx, ly, lz);
-            R shading = Lane.Dot(s.ShadingX[packet], s.ShadingY[packet], s.ShadingZ[packet], lx, ly, lz);
-            F most = F.Max(light.Intensity.R[packet], F.Max(light.Intensity.G[packet], light.Intensity.B[packet]));
-            R lit = R.Less(R.Zero, geometric) & R.Less(R.Zero, shading) & R.MaskFromSingle(F.Less(F.Zero, most));
+            R lit = scene.IsSkipping ? IsReached(packet) : R.True;
             R slack = s.Slack[packet];
             rays.OriginX[packet] = R.Fma(slack, s.NormalX[packet], s.PointX[packet]);
             rays.OriginY[packet] = R.Fma(slack, s.NormalY[packet], s.PointY[packet]);
             rays.OriginZ[packet] = R.Fma(slack, s.NormalZ[packet], s.PointZ[packet]);
-            rays.DirectionX[packet] = lx;
-            rays.DirectionY[packet] = ly;
-            rays.DirectionZ[packet] = lz;
+            rays.DirectionX[packet] = light.DirectionX[packet];
+            rays.DirectionY[packet] = light.DirectionY[packet];
+            rays.DirectionZ[packet] = light.DirectionZ[packet];
             rays.Limit[packet] = R.Select(lit, light.Distance[packet], R.Of(-1));
             uint live = R.Bits(lit);
             aimed += BitOperations.PopCount(packet == packets - 1 ? live & Tail(count) : live);

@@ -99,6 +99,12 @@ public sealed class RenderOptions
     /// <summary>Part of the picture to render, inside it; null (default): all. The result has the size of this part.</summary>
     public PixelRectangle? Crop { get; init; }
 
+    /// <summary>Whether work that cannot change the picture is left out. Default: it is.</summary>
+    public Skipping Skipping { get; init => field = PropertyChecks.Known(value); }
+
+    /// <summary>Whether work is left out; always in pictures of something else than colour.</summary>
+    internal bool IsSkipping => Skipping == Skipping.On || !ViewStage.IsColor(View);
+
     /// <summary>Whether the number of samples depends on the error.</summary>
     internal bool HasBudget => ErrorBudget > 0 && ViewStage.IsColor(View);
 

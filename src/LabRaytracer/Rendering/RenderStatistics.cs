@@ -49,8 +49,17 @@ public sealed class RenderStatistics
     /// <summary>Slot values that were constant, so that neither mapping nor texture was evaluated.</summary>
     public long ConstantSlots { get; internal set; }
 
+    /// <summary>Pairs of a visible hit and a lamp that were not looked at because no lamp changes the hit's material.</summary>
+    public long UnlitHits { get; internal set; }
+
     /// <summary>Textures that the scene uses, made ready.</summary>
     public int Textures { get; internal set; }
+
+    /// <summary>Textures that the scene names and no pixel can show, so that their files were not opened.</summary>
+    public int TexturesSkipped { get; internal set; }
+
+    /// <summary>What was left out, and what it would have cost.</summary>
+    public IReadOnlyList<SkippedWork> Skipped => SkippedWork.Of(this);
 
     /// <summary>Pixels that came out NaN or infinite and were set to black.</summary>
     public long NotFinitePixels { get; internal set; }

@@ -122,12 +122,13 @@ public static class Renderer
     {
         cancellation.ThrowIfCancellationRequested();
         long start = Stopwatch.GetTimestamp();
-        using CompiledScene<R, F, I> compiled = new(scene, options.Filter, options.Threads);
+        using CompiledScene<R, F, I> compiled = new(scene, options.Filter, options.Threads, options.IsSkipping);
         EnvironmentTabulation<R, F, I>.Run(compiled, options.Threads);
         RenderStatistics statistics = new()
         {
             PrepareSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds,
             Textures = compiled.Textures.Count,
+            TexturesSkipped = compiled.TexturesSkipped,
             GeometryBytes = compiled.Bytes,
             LaneWidth = R.Width,
         };

@@ -17,14 +17,16 @@ internal sealed unsafe class SecondaryStage<R, F, I>
     private readonly ShadingBuffers<R, F, I> _buffers;
     private readonly SecondaryRays _secondary;
     private readonly WorkerCounters _counters;
+    private readonly bool _isSkipping;
     private readonly SecondaryColumns<R, F, I> _reflected;
     private readonly SecondaryColumns<R, F, I> _refracted;
 
-    public SecondaryStage(ShadingBuffers<R, F, I> buffers, SecondaryRays secondary, WorkerCounters counters, LaneMemory memory, int capacity)
+    public SecondaryStage(ShadingBuffers<R, F, I> buffers, SecondaryRays secondary, WorkerCounters counters, LaneMemory memory, int capacity, bool isSkipping)
     {
         _buffers = buffers;
         _secondary = secondary;
         _counters = counters;
+        _isSkipping = isSkipping;
         _reflected = new SecondaryColumns<R, F, I>(memory, capacity, buffers.Footprints is not null);
         _refracted = new SecondaryColumns<R, F, I>(memory, capacity, buffers.Footprints is not null);
     }
@@ -63,13 +65,13 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             Intensity reflected = _reflected.Share(i) * weights[ray];
             if (IsFollowed(reflected))
             {
-                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], reflected, pixels[ray]));
+                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], Weight(reflected), pixels[ray]));
             }
 
             Intensity refracted = isTransparent ? _refracted.Share(i) * weights[ray] : Intensity.Black;
             if (isTransparent && IsFollowed(refracted))
             {
-                _secondary.Refract(ray, new SecondaryRay(_refracted[i], refracted, pixels[ray]));
+                _secondary.Refract(ray, new SecondaryRay(_refracted[i], Weight(refracted), pixels[ray]));
             }
 
             if (isDifferentiated)
@@ -182,11 +184,23 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             return true;
         }
 
-        if (share.Max > 0)
+        if (!(share.Max > 0))
+        {
+            return false;
+        }
+
+        if (_isSkipping)
         {
             _counters.SecondaryRaysSkipped++;
         }
+        else
+        {
+            _counters.SecondaryRays++;
+        }
 
-        return false;
+        return !_isSkipping;
     }
+
+    /// <summary>The weight of a ray that is followed; black if only because nothing is skipped.</summary>
+    private Intensity Weight(in Intensity share) => _isSkipping || share.Max >= LeastWeight ? share : Intensity.Black;
 }

@@ -232,7 +232,11 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
                 _tracer.Trace(_rays, depth, _next);
                 for (int i = 0; i < count; i++)
                 {
-                    _colors.AddToSample(_tracer.Pixels[i], _tracer.Radiance.Take(i) * _tracer.Weights[i]);
+                    // Light without weight counts for nothing, even where it is not finite.
+                    if (_scene.IsSkipping || _tracer.Weights[i] != Intensity.Black)
+                    {
+                        _colors.AddToSample(_tracer.Pixels[i], _tracer.Radiance.Take(i) * _tracer.Weights[i]);
+                    }
                 }
             }
 

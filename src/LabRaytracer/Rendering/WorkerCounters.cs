@@ -10,7 +10,7 @@ internal sealed class WorkerCounters
 
     public long PrimaryRays, SecondaryRays, Hits, HitsRefined, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped;
 
-    public long Mappings, TextureLookups, AlphaTests, ConstantSlots, NotFinite;
+    public long Mappings, TextureLookups, AlphaTests, ConstantSlots, UnlitHits, NotFinite;
 
     public (int X, int Y)? FirstNotFinite;
 
@@ -49,6 +49,7 @@ internal sealed class WorkerCounters
         statistics.TextureLookups += TextureLookups;
         statistics.AlphaTests += AlphaTests;
         statistics.ConstantSlots += ConstantSlots;
+        statistics.UnlitHits += UnlitHits;
         statistics.NotFinitePixels += NotFinite;
         if (FirstNotFinite is { } first && (statistics.FirstNotFinitePixel is not { } known || (first.Y, first.X).CompareTo((known.Y, known.X)) < 0))
         {

@@ -21,11 +21,20 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     /// <param name="scene">The scene; it must not be edited while this object is in use.</param>
     /// <param name="filter">Filter of all picture textures, or null for their own.</param>
     /// <param name="threads">Threads for preparing, at least 1.</param>
-    public CompiledScene(Scene scene, TextureFilter? filter, int threads)
+    /// <param name="isSkipping">Whether work that cannot change the picture is left out.</param>
+    public CompiledScene(Scene scene, TextureFilter? filter, int threads, bool isSkipping = true)
     {
         Camera = scene.Camera;
+        IsSkipping = isSkipping;
         Textures = new TexturePreparation(filter);
+        ITexture[] used = [.. SceneTextures.Used(scene).Select(use => use.Texture).Distinct()], unused = [.. SceneTextures.Named(scene).Except(used)];
         Textures.PrepareAll(SceneTextures.Used(scene), threads);
+        TexturesSkipped = isSkipping ? unused.Length : 0;
+        if (!isSkipping)
+        {
+            Textures.PrepareAll(unused.Select(texture => (texture, TextureUse.Color)), threads);
+        }
+
         Background = Sky(scene.Background);
         BackgroundRotation = scene.BackgroundRotation;
         List<SceneObject> objects = [.. scene.Objects, .. VisibleLamps.Of(scene)];
@@ -50,6 +59,12 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
             Ambient += light.Intensity;
         }
     }
+
+    /// <summary>Whether work that cannot change the picture is left out.</summary>
+    public bool IsSkipping { get; }
+
+    /// <summary>Textures that the scene names and no pixel can show, not made ready.</summary>
+    public int TexturesSkipped { get; }
 
     /// <summary>The camera.</summary>
     public Camera Camera { get; }
@@ -88,7 +103,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     public SceneBvh<R, F, I>? AlphaCasters { get; }
 
     /// <summary>Tells whether some texture is filtered, so that rays must carry differentials.</summary>
-    public bool NeedsDifferentials => Keys.Select(key => key.Material).Append(Background).SelectMany(material => material.AllTextures).Any(list => list.NeedsFootprints);
+    public bool NeedsDifferentials => !IsSkipping || Keys.Select(key => key.Material).Append(Background).SelectMany(material => material.AllTextures).Any(list => list.NeedsFootprints);
 
     /// <summary>Bytes of packed shapes and what searches them.</summary>
     public long Bytes => _memory.Bytes;
@@ -125,8 +140,8 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
 
     private bool HasOpacity(ObjectEntry<R, F, I> entry) => Keys[KeyOf(entry.Number)].Material.Opacity is not null;
 
-    private static SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
-        [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads);
+    private SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
+        [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads, IsSkipping);
 
     /// <summary>A material that shines by direction and does nothing else.</summary>
     private CompiledMaterial Sky(TextureSlot radiance) =>
@@ -155,6 +170,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     {
         Dictionary<(Type Shape, bool IsIdentity), ShapeGroup<R, F, I>> groups = [];
         Dictionary<(ShapeGroup<R, F, I> Group, Material Material, IMapping Mapping), int> keys = [];
+        Texture filler = new(new Intensity[,] { { Intensity.White } });
         List<ObjectEntry<R, F, I>> entries = [];
         for (int number = 0; number < objects.Count; number++)
         {
@@ -173,7 +189,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
             {
                 key = Keys.Count;
                 keys[(group, item.Material, mapping)] = key;
-                Keys.Add(new ShadingKey<R, F, I>(group, new CompiledMaterial(item.Material, mapping, Textures)));
+                Keys.Add(new ShadingKey<R, F, I>(group, new CompiledMaterial(item.Material, mapping, Textures, IsSkipping ? null : filler)));
             }
 
             _memberOfObject[number] = member;

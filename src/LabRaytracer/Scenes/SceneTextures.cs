@@ -11,6 +11,16 @@ internal static class SceneTextures
             .Concat(scene.Lights.OfType<EnvironmentLight>().SelectMany(light => Colors(light.Radiance, null)));
     }
 
+    /// <summary>Textures that slots of the objects' materials name, used or not; some may repeat.</summary>
+    public static IEnumerable<ITexture> Named(Scene scene) => scene.Objects.Select(item => item.Material).Distinct().SelectMany(WithInside).SelectMany(Named).OfType<ITexture>();
+
+    private static IEnumerable<ITexture?> Named(Material m) =>
+    [
+        m.Diffuse.Texture, m.Ambient?.Texture, m.Specular.Texture, m.Emission.Texture, m.Reflection.Texture, m.Transparency.Texture, m.LightMap.Texture,
+        m.NormalMap?.Texture, m.Bump?.Texture, m.Shininess.Texture, m.IndexOfRefraction.Texture, m.Occlusion.Texture, m.Opacity.Texture,
+        .. new[] { m.Diffuse, m.Ambient, m.Specular, m.Emission, m.Reflection, m.Transparency, m.LightMap }.SelectMany(slot => slot?.Layers.Select(layer => layer.Texture) ?? []),
+    ];
+
     private static IEnumerable<Material> WithInside(Material material)
     {
         for (Material? side = material; side is not null; side = side.Inside)
