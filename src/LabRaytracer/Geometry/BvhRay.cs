@@ -28,6 +28,12 @@ internal struct BvhRay<R, F, I>
     /// <summary>The three axes.</summary>
     public BvhSlab<F> X, Y, Z;
 
+    /// <summary>Largest ray parameters; -1 where the lane is off (not above 0, or the ray is not finite or has no direction).</summary>
+    public R Limit;
+
+    /// <summary>Factor from ray parameters to those of boxes.</summary>
+    public R ToFloat;
+
     /// <summary>Bits of the active lanes whose direction is negative.</summary>
     public uint NegativeX, NegativeY, NegativeZ;
 
@@ -51,25 +57,24 @@ internal struct BvhRay<R, F, I>
     /// <summary>Prepares rays.</summary>
     /// <param name="tree">The tree.</param>
     /// <param name="ray">The rays, in the tree's space.</param>
-    /// <param name="limit">Largest ray parameters; becomes -1 where the lane is off (not above 0, or the ray is not finite or has no direction).</param>
+    /// <param name="limit">Largest ray parameters.</param>
     /// <param name="result">The prepared rays.</param>
-    /// <param name="toFloat">Factor from ray parameters to those of boxes.</param>
-    public static void Prepare(Bvh tree, in RayLanes<R> ray, ref R limit, out BvhRay<R, F, I> result, out R toFloat)
+    public static void Prepare(Bvh tree, in RayLanes<R> ray, in R limit, out BvhRay<R, F, I> result)
     {
         F dx = R.ToSingle(ray.DirectionX), dy = R.ToSingle(ray.DirectionY), dz = R.ToSingle(ray.DirectionZ);
         F largest = F.Max(F.Max(F.Abs(dx), F.Abs(dy)), F.Abs(dz));
-        toFloat = R.Of(1);
+        result = default;
+        result.ToFloat = R.Of(1);
         F isUnit = F.LessOrEqual(F.Of(0.25), largest) & F.LessOrEqual(largest, F.Of(2));
         if (!F.All(isUnit))
         {
-            Rescale(ray, out isUnit, out toFloat, out dx, out dy, out dz);
+            Rescale(ray, out isUnit, out result.ToFloat, out dx, out dy, out dz);
         }
 
         F sum = F.Abs(R.ToSingle(ray.OriginX)) + F.Abs(R.ToSingle(ray.OriginY)) + F.Abs(R.ToSingle(ray.OriginZ));
         F active = R.MaskToSingle(R.Less(R.Zero, limit)) & isUnit & F.Less(sum, F.Of(double.PositiveInfinity));
-        limit = R.Select(R.MaskFromSingle(active), limit, R.Of(-1));
+        result.Limit = R.Select(R.MaskFromSingle(active), limit, R.Of(-1));
         F width = (sum + F.Of(tree.Size)) * F.Of(R.IsSingle ? 9.5367431640625e-7 : 1.7763568394002505e-15);
-        result = default;
         result.Active = F.Bits(active);
         result.X = SlabOf(R.ToSingle(ray.OriginX - R.Of(tree.CenterX)), dx, width, tree.SizeX, active, out result.NegativeX);
         result.Y = SlabOf(R.ToSingle(ray.OriginY - R.Of(tree.CenterY)), dy, width, tree.SizeY, active, out result.NegativeY);

@@ -25,26 +25,33 @@ internal static unsafe class BvhTraversal
             return;
         }
 
-        R limits = limit;
-        BvhRay<R, F, I>.Prepare(tree, ray, ref limits, out BvhRay<R, F, I> boxRay, out R toFloat);
-        if (boxRay.Active == 0)
+        BvhRay<R, F, I>.Prepare(tree, ray, limit, out BvhRay<R, F, I> boxRay);
+        if (boxRay.Active != 0)
         {
-            return;
+            Run<R, F, I, TLeaf>(tree, boxRay, ref leaf);
         }
+    }
 
-        if (boxRay.SharesSigns)
+    /// <summary>The same for rays that are prepared; at least one is active, and the tree has an item.</summary>
+    public static void Run<R, F, I, TLeaf>(Bvh tree, in BvhRay<R, F, I> ray, ref TLeaf leaf)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+        where TLeaf : struct, IBvhLeaf<R>
+    {
+        if (ray.SharesSigns)
         {
-            BvhOctantTest<F> test = new(boxRay.NegativeX != 0, boxRay.NegativeY != 0, boxRay.NegativeZ != 0);
-            Descend<R, F, I, TLeaf, BvhOctantTest<F>>(tree, boxRay, toFloat, limits, test, ref leaf);
+            BvhOctantTest<F> test = new(ray.NegativeX != 0, ray.NegativeY != 0, ray.NegativeZ != 0);
+            Descend<R, F, I, TLeaf, BvhOctantTest<F>>(tree, ray, test, ref leaf);
         }
         else
         {
-            Descend<R, F, I, TLeaf, BvhMixedTest<F>>(tree, boxRay, toFloat, limits, default, ref leaf);
+            Descend<R, F, I, TLeaf, BvhMixedTest<F>>(tree, ray, default, ref leaf);
         }
     }
 
     [SkipLocalsInit]
-    private static void Descend<R, F, I, TLeaf, TTest>(Bvh tree, in BvhRay<R, F, I> ray, in R toFloat, in R startLimit, TTest test, ref TLeaf leaf)
+    private static void Descend<R, F, I, TLeaf, TTest>(Bvh tree, in BvhRay<R, F, I> ray, TTest test, ref TLeaf leaf)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -53,7 +60,7 @@ internal static unsafe class BvhTraversal
     {
         int* pending = stackalloc int[Bvh.MaximumDepth + 2];
         int depth = 0;
-        R limit = startLimit;
+        R limit = ray.Limit, toFloat = ray.ToFloat;
         int secondFirst = ray.SecondChildFirst;
         BvhSlab<F> x = ray.X, y = ray.Y, z = ray.Z;
         F boxLimit = BvhRay<R, F, I>.LimitOf(limit, toFloat);

@@ -10,6 +10,10 @@ internal interface IMeshPositions
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>;
+
+    /// <summary>Four consecutive numbers; the fourth belongs to the next vertex, or to nothing.</summary>
+    Q Row<Q>(int element)
+        where Q : unmanaged, IQuad<Q>;
 }
 
 /// <summary>Coordinates in floats.</summary>
@@ -20,6 +24,10 @@ internal readonly unsafe struct MeshSinglePositions(float* numbers) : IMeshPosit
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I> => R.IsSingle ? R.Broadcast((R*)numbers, element) : R.Of(numbers[element]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Q Row<Q>(int element)
+        where Q : unmanaged, IQuad<Q> => Q.Load(numbers + element);
 }
 
 /// <summary>Coordinates in doubles.</summary>
@@ -30,4 +38,8 @@ internal readonly unsafe struct MeshDoublePositions(double* numbers) : IMeshPosi
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I> => R.IsSingle ? R.Of(numbers[element]) : R.Broadcast((R*)numbers, element);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Q Row<Q>(int element)
+        where Q : unmanaged, IQuad<Q> => Q.Load(numbers + element);
 }

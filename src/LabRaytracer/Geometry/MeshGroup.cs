@@ -45,8 +45,21 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
     {
         (TriangleMesh mesh, _, int number) = _members[member];
+        MeshTree tree = _trees[member];
         for (int packet = first; packet < end; packet++)
         {
+            RayLanes<R> ray = ToObject(member, rays.Load(packet));
+            if (!MeshSearch.Prepare(tree, ray, hits.T[packet], out BvhRay<R, F, I> boxRay))
+            {
+                continue;
+            }
+
+            if (tree.WideFor(boxRay) is { } wide)
+            {
+                MeshSingle.Nearest(mesh.Data, tree, wide, ray, boxRay, hits, packet, number);
+                continue;
+            }
+
             MeshNearestSink<R, F, I> sink = new()
             {
                 Object = number,
@@ -56,17 +69,30 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
                 Objects = hits.Object + packet,
                 Parts = hits.Part + packet,
             };
-            MeshSearch.Run<R, F, I, MeshNearestSink<R, F, I>>(mesh.Data, _trees[member], ToObject(member, rays.Load(packet)), hits.T[packet], ref sink);
+            MeshSearch.Run(mesh.Data, tree, ray, boxRay, ref sink);
         }
     }
 
     public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
     {
-        TriangleMesh mesh = _members[member].Mesh;
+        MeshData mesh = _members[member].Mesh.Data;
+        MeshTree tree = _trees[member];
         for (int packet = first; packet < end; packet++)
         {
+            RayLanes<R> ray = ToObject(member, rays.Load(packet));
+            if (!MeshSearch.Prepare(tree, ray, rays.Limit[packet], out BvhRay<R, F, I> boxRay))
+            {
+                continue;
+            }
+
+            if (tree.WideFor(boxRay) is { } wide)
+            {
+                MeshSingle.Block(mesh, tree, wide, ray, boxRay, ref rays.Limit[packet]);
+                continue;
+            }
+
             MeshBlockSink<R> sink = default;
-            MeshSearch.Run<R, F, I, MeshBlockSink<R>>(mesh.Data, _trees[member], ToObject(member, rays.Load(packet)), rays.Limit[packet], ref sink);
+            MeshSearch.Run(mesh, tree, ray, boxRay, ref sink);
             rays.Limit[packet] = R.Select(sink.Blocked, R.Of(-1), rays.Limit[packet]);
         }
     }

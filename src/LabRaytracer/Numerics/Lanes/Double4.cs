@@ -6,7 +6,7 @@ namespace LabRaytracer;
 
 /// <summary>4 doubles side by side in one 256-bit register.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float4, Int4>
+internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float4, Int4>, IQuad<Double4>
 {
     /// <summary>The lanes as the runtime's vector.</summary>
     public readonly Vector256<double> Value = value;
@@ -120,6 +120,31 @@ internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double4 a, int lane) => a.Value.GetElement(lane);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double4 Load(double* numbers) => new(Vector256.Load(numbers));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double4 Load(float* numbers) => FromSingle(Float4.Load(numbers));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Turn(Double4 row0, Double4 row1, Double4 row2, Double4 row3, out Double4 first, out Double4 second, out Double4 third)
+    {
+        Vector256<double> a = row0.Value, b = row1.Value, c = row2.Value, d = row3.Value;
+        if (Avx.IsSupported)
+        {
+            Vector256<double> ab = Avx.UnpackLow(a, b), cd = Avx.UnpackLow(c, d);
+            first = new(Avx.Permute2x128(ab, cd, 0x20));
+            second = new(Avx.Permute2x128(Avx.UnpackHigh(a, b), Avx.UnpackHigh(c, d), 0x20));
+            third = new(Avx.Permute2x128(ab, cd, 0x31));
+        }
+        else
+        {
+            first = new(Vector256.Create(a.GetElement(0), b.GetElement(0), c.GetElement(0), d.GetElement(0)));
+            second = new(Vector256.Create(a.GetElement(1), b.GetElement(1), c.GetElement(1), d.GetElement(1)));
+            third = new(Vector256.Create(a.GetElement(2), b.GetElement(2), c.GetElement(2), d.GetElement(2)));
+        }
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float4 ToSingle(Double4 a) => new(Vector128.Narrow(a.Value.GetLower(), a.Value.GetUpper()));

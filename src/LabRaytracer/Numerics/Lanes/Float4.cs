@@ -6,7 +6,7 @@ namespace LabRaytracer;
 
 /// <summary>4 floats side by side in one 128-bit register.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, Int4>
+internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, Int4>, IQuad<Float4>
 {
     /// <summary>The lanes as the runtime's vector.</summary>
     public readonly Vector128<float> Value = value;
@@ -131,6 +131,31 @@ internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, 
     {
         Vector128<float> products = a.Value * Vector128.Shuffle(a.Value, Vector128.Create(1, 2, 0, 3));
         return products.GetElement(0) + products.GetElement(1) + products.GetElement(2);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float4 Load(double* numbers) => Double4.ToSingle(Double4.Load(numbers));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float4 Load(float* numbers) => new(Vector128.Load(numbers));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Turn(Float4 row0, Float4 row1, Float4 row2, Float4 row3, out Float4 first, out Float4 second, out Float4 third)
+    {
+        Vector128<float> a = row0.Value, b = row1.Value, c = row2.Value, d = row3.Value;
+        if (Sse.IsSupported)
+        {
+            Vector128<float> ab = Sse.UnpackLow(a, b), cd = Sse.UnpackLow(c, d);
+            first = new(Sse.MoveLowToHigh(ab, cd));
+            second = new(Sse.MoveHighToLow(cd, ab));
+            third = new(Sse.MoveLowToHigh(Sse.UnpackHigh(a, b), Sse.UnpackHigh(c, d)));
+        }
+        else
+        {
+            first = new(Vector128.Create(a.GetElement(0), b.GetElement(0), c.GetElement(0), d.GetElement(0)));
+            second = new(Vector128.Create(a.GetElement(1), b.GetElement(1), c.GetElement(1), d.GetElement(1)));
+            third = new(Vector128.Create(a.GetElement(2), b.GetElement(2), c.GetElement(2), d.GetElement(2)));
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
