@@ -4,7 +4,7 @@ namespace LabRaytracer;
 
 /// <summary>A binary tree of boxes (bounding volume hierarchy), searched by <see cref="BvhTraversal"/>.</summary>
 /// <remarks>
-/// Immutable, thread safe. Boxes are floats, rounded outward, relative to <see cref="CenterX"/>, <see cref="CenterY"/>, <see cref="CenterZ"/>: a scene far from the
+/// Immutable, thread safe. Boxes are floats, rounded outward, relative to the centre of <see cref="Frame"/>: a scene far from the
 /// origin keeps tight boxes. Node 0 is the root, node 1 is unused (children pairs start at even numbers).
 /// </remarks>
 internal sealed unsafe class Bvh : IDisposable
@@ -14,36 +14,15 @@ internal sealed unsafe class Bvh : IDisposable
 
     private readonly LaneMemory _memory = new();
 
-    private Bvh(Point3D center, int itemCount, int nodeCount)
+    private Bvh(int itemCount, int nodeCount)
     {
-        CenterX = center.X;
-        CenterY = center.Y;
-        CenterZ = center.Z;
         NodeCount = nodeCount;
         ItemCount = itemCount;
         Nodes = _memory.Column<BvhNode>(nodeCount, 1);
     }
 
-    /// <summary>Subtracted from coordinates before they meet the boxes.</summary>
-    public double CenterX { get; }
-
-    /// <inheritdoc cref="CenterX"/>
-    public double CenterY { get; }
-
-    /// <inheritdoc cref="CenterX"/>
-    public double CenterZ { get; }
-
-    /// <summary>Largest coordinate of the root's box, relative to the centre, in magnitude.</summary>
-    public float SizeX { get; private set; }
-
-    /// <inheritdoc cref="SizeX"/>
-    public float SizeY { get; private set; }
-
-    /// <inheritdoc cref="SizeX"/>
-    public float SizeZ { get; private set; }
-
-    /// <summary>Sum of the magnitudes of all coordinates of box and centre.</summary>
-    public double Size { get; private set; }
+    /// <summary>Where the tree is.</summary>
+    public BvhFrame Frame { get; private set; }
 
     /// <summary>Number of nodes, the unused one included.</summary>
     public int NodeCount { get; }
@@ -69,7 +48,7 @@ internal sealed unsafe class Bvh : IDisposable
         order = new int[count];
         if (count == 0)
         {
-            return new Bvh(Point3D.Origin, 0, 0);
+            return new Bvh(0, 0);
         }
 
         Point3D center = CenterOf(items.All);
@@ -79,14 +58,14 @@ internal sealed unsafe class Bvh : IDisposable
         {
             BvhRange all = BvhReferences.Fill(items, center, references, threads);
             int nodeCount = new BvhBuilder(references, sparse, cost, threads).Build(all);
-            Bvh tree = new(center, count, nodeCount);
+            Bvh tree = new(count, nodeCount);
             BvhBuilder.Compact(sparse, tree.Nodes);
             for (int i = 0; i < count; i++)
             {
                 order[i] = references[i].Number;
             }
 
-            tree.Measure();
+            tree.Frame = new BvhFrame(center, *tree.Nodes);
             return tree;
         }
         finally
@@ -97,14 +76,6 @@ internal sealed unsafe class Bvh : IDisposable
     }
 
     public void Dispose() => _memory.Dispose();
-
-    private void Measure()
-    {
-        SizeX = Math.Max(Math.Abs(Nodes->MinX), Math.Abs(Nodes->MaxX));
-        SizeY = Math.Max(Math.Abs(Nodes->MinY), Math.Abs(Nodes->MaxY));
-        SizeZ = Math.Max(Math.Abs(Nodes->MinZ), Math.Abs(Nodes->MaxZ));
-        Size = (double)SizeX + SizeY + SizeZ + Math.Abs(CenterX) + Math.Abs(CenterY) + Math.Abs(CenterZ);
-    }
 
     /// <summary>The middle of all items where they are far from the origin, else the origin, where nothing is lost by the subtraction.</summary>
     private static Point3D CenterOf(in Bounds all) => new(Middle(all.Min.X, all.Max.X), Middle(all.Min.Y, all.Max.Y), Middle(all.Min.Z, all.Max.Z));

@@ -23,6 +23,10 @@ internal readonly unsafe struct BvhBounds(Bounds[] boxes) : IBvhItems
     {
     }
 
+    public void Release()
+    {
+    }
+
     public void Describe(Point3D center, BvhReference* references, int first, int end)
     {
         for (int item = first; item < end; item++)

@@ -55,11 +55,11 @@ internal struct BvhRay<R, F, I>
     }
 
     /// <summary>Prepares rays.</summary>
-    /// <param name="tree">The tree.</param>
+    /// <param name="tree">Where the tree is.</param>
     /// <param name="ray">The rays, in the tree's space.</param>
     /// <param name="limit">Largest ray parameters.</param>
     /// <param name="result">The prepared rays.</param>
-    public static void Prepare(Bvh tree, in RayLanes<R> ray, in R limit, out BvhRay<R, F, I> result)
+    public static void Prepare(in BvhFrame tree, in RayLanes<R> ray, in R limit, out BvhRay<R, F, I> result)
     {
         F dx = R.ToSingle(ray.DirectionX), dy = R.ToSingle(ray.DirectionY), dz = R.ToSingle(ray.DirectionZ);
         F largest = F.Max(F.Max(F.Abs(dx), F.Abs(dy)), F.Abs(dz));

@@ -25,6 +25,7 @@ internal static unsafe class BvhReferences
             Parallel.For(0, parts.Length, options, part => FillPart(items, center, references, part, out parts[part]));
         }
 
+        items.Release();
         BvhRange all = BvhRange.Empty(0);
         for (int part = 0; part < parts.Length; part++)
         {

@@ -25,7 +25,7 @@ internal static unsafe class BvhTraversal
             return;
         }
 
-        BvhRay<R, F, I>.Prepare(tree, ray, limit, out BvhRay<R, F, I> boxRay);
+        BvhRay<R, F, I>.Prepare(tree.Frame, ray, limit, out BvhRay<R, F, I> boxRay);
         if (boxRay.Active != 0)
         {
             Run<R, F, I, TLeaf>(tree, boxRay, ref leaf);

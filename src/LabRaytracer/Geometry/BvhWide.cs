@@ -6,7 +6,9 @@ namespace LabRaytracer;
 /// <remarks>Immutable, thread safe. Its leaves hold the items of the binary tree, in the same order.</remarks>
 internal sealed unsafe class BvhWide
 {
-    private const int MostItems = 4;
+    /// <summary>Most items of a leaf; leaves of the binary tree must not have more.</summary>
+    public const int MostItems = 4;
+
     private readonly LaneMemory _memory = new();
 
     /// <summary>Collapses a binary tree with at least one item.</summary>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>One ray against eight boxes at a time: the numbers of <see cref="BvhRay{R, F, I}"/> of one lane, in every lane.</summary>
-internal readonly struct BvhWideRay
+internal readonly unsafe struct BvhWideRay : IBvhWideTest
 {
     /// <summary>1 / direction.</summary>
     public readonly Float8 InverseX, InverseY, InverseZ;
@@ -29,6 +29,21 @@ internal readonly struct BvhWideRay
             new(Take(rays.X.Inverse, lane), Take(rays.X.Near, lane), Take(rays.X.Far, lane), (rays.NegativeX >> lane) & 1),
             new(Take(rays.Y.Inverse, lane), Take(rays.Y.Near, lane), Take(rays.Y.Far, lane), (rays.NegativeY >> lane) & 1),
             new(Take(rays.Z.Inverse, lane), Take(rays.Z.Near, lane), Take(rays.Z.Far, lane), (rays.NegativeZ >> lane) & 1));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public uint Meet(float* planes, float limit, out Float8 near)
+    {
+        const int Axis = BvhWideNode.Width;
+        Float8 nearX = Float8.Fma(*(Float8*)(planes + NearX), InverseX, EarlyX);
+        Float8 nearY = Float8.Fma(*(Float8*)(planes + NearY), InverseY, EarlyY);
+        Float8 nearZ = Float8.Fma(*(Float8*)(planes + NearZ), InverseZ, EarlyZ);
+        Float8 farX = Float8.Fma(*(Float8*)(planes + (Across - NearX)), InverseX, LateX);
+        Float8 farY = Float8.Fma(*(Float8*)(planes + (Across + (2 * Axis) - NearY)), InverseY, LateY);
+        Float8 farZ = Float8.Fma(*(Float8*)(planes + (Across + (4 * Axis) - NearZ)), InverseZ, LateZ);
+        near = Float8.Max(Float8.Max(nearX, nearY), Float8.Max(nearZ, Float8.Zero));
+        Float8 far = Float8.Min(Float8.Min(farX, farY), Float8.Min(farZ, Float8.Of(limit)));
+        return Float8.Bits(Float8.LessOrEqual(near, far));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private BvhWideRay(in Axis x, in Axis y, in Axis z)

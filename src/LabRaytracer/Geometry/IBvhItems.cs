@@ -19,4 +19,7 @@ internal interface IBvhItems
     /// <param name="first">First item.</param>
     /// <param name="end">After the last item.</param>
     unsafe void Describe(Point3D center, BvhReference* references, int first, int end);
+
+    /// <summary>Called once, after the last <see cref="Describe"/>: what only it needed can go.</summary>
+    void Release();
 }

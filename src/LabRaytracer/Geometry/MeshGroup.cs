@@ -54,9 +54,9 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
                 continue;
             }
 
-            if (tree.WideFor(boxRay) is { } wide)
+            if (!MeshSearch.AreTogether(boxRay))
             {
-                MeshSingle.Nearest(mesh.Data, tree, wide, ray, boxRay, hits, packet, number);
+                MeshSingle.Nearest(mesh.Data, tree, ray, boxRay, hits, packet, number);
                 continue;
             }
 
@@ -69,7 +69,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
                 Objects = hits.Object + packet,
                 Parts = hits.Part + packet,
             };
-            MeshSearch.Run(mesh.Data, tree, ray, boxRay, ref sink);
+            MeshSearch.Run(mesh.Data, tree, ray, ref boxRay, ref sink);
         }
     }
 
@@ -85,14 +85,14 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
                 continue;
             }
 
-            if (tree.WideFor(boxRay) is { } wide)
+            if (!MeshSearch.AreTogether(boxRay))
             {
-                MeshSingle.Block(mesh, tree, wide, ray, boxRay, ref rays.Limit[packet]);
+                MeshSingle.Block(mesh, tree, ray, boxRay, ref rays.Limit[packet]);
                 continue;
             }
 
             MeshBlockSink<R> sink = default;
-            MeshSearch.Run(mesh, tree, ray, boxRay, ref sink);
+            MeshSearch.Run(mesh, tree, ray, ref boxRay, ref sink);
             rays.Limit[packet] = R.Select(sink.Blocked, R.Of(-1), rays.Limit[packet]);
         }
     }

@@ -6,21 +6,21 @@ internal readonly unsafe struct MeshItems : IBvhItems
     private const int Chunk = 16384;
     private readonly MeshData _mesh;
     private readonly int[]? _kept;
+    private readonly LaneMemory _memory = new();
     private readonly Float8* _vertices;
     private readonly int _threads;
 
     /// <param name="mesh">The mesh.</param>
     /// <param name="kept">Numbers of the triangles that take part; null for all.</param>
     /// <param name="bounds">Their box.</param>
-    /// <param name="memory">Where the rounded vertices go.</param>
     /// <param name="threads">Threads that may work, at least 1.</param>
-    public MeshItems(MeshData mesh, int[]? kept, Bounds bounds, LaneMemory memory, int threads)
+    public MeshItems(MeshData mesh, int[]? kept, Bounds bounds, int threads)
     {
         _mesh = mesh;
         _kept = kept;
         _threads = threads;
         All = bounds;
-        _vertices = memory.Column<Float8>(8 * mesh.VertexCount, 8);
+        _vertices = _memory.Column<Float8>(8 * mesh.VertexCount, 8);
     }
 
     public int Count => _kept == null ? _mesh.TriangleCount : _kept.Length;
@@ -39,6 +39,8 @@ internal readonly unsafe struct MeshItems : IBvhItems
             }
         });
     }
+
+    public void Release() => _memory.Dispose();
 
     public void Describe(Point3D center, BvhReference* references, int first, int end)
     {

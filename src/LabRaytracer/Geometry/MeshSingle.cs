@@ -9,7 +9,7 @@ internal static unsafe class MeshSingle
 {
     /// <summary>Keeps the nearest hits of a group of lanes.</summary>
     public static void Nearest<R, F, I>(
-        MeshData mesh, MeshTree tree, BvhWide wide, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, HitBatch<R, F, I> hits, int packet, int number)
+        MeshData mesh, MeshTree tree, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, HitBatch<R, F, I> hits, int packet, int number)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -20,18 +20,18 @@ internal static unsafe class MeshSingle
             if (R.IsSingle)
             {
                 MeshNearestSink<Float1, Float1, Int1> sink = SinkOf<R, F, I, Float1>(hits, element, number);
-                Run<R, F, I, Float4, Float1, MeshNearestSink<Float1, Float1, Int1>>(mesh, tree, wide, ray, boxRay, lane, ref sink);
+                Run<R, F, I, Float4, Float1, MeshNearestSink<Float1, Float1, Int1>>(mesh, tree, ray, boxRay, lane, ref sink);
             }
             else
             {
                 MeshNearestSink<Double1, Float1, Int1> sink = SinkOf<R, F, I, Double1>(hits, element, number);
-                Run<R, F, I, Double4, Double1, MeshNearestSink<Double1, Float1, Int1>>(mesh, tree, wide, ray, boxRay, lane, ref sink);
+                Run<R, F, I, Double4, Double1, MeshNearestSink<Double1, Float1, Int1>>(mesh, tree, ray, boxRay, lane, ref sink);
             }
         }
     }
 
     /// <summary>Ends the rays of a group of lanes that are blocked: their limits become -1.</summary>
-    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, BvhWide wide, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, ref R limit)
+    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, ref R limit)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -43,13 +43,13 @@ internal static unsafe class MeshSingle
             if (R.IsSingle)
             {
                 MeshBlockSink<Float1> sink = default;
-                Run<R, F, I, Float4, Float1, MeshBlockSink<Float1>>(mesh, tree, wide, ray, boxRay, lane, ref sink);
+                Run<R, F, I, Float4, Float1, MeshBlockSink<Float1>>(mesh, tree, ray, boxRay, lane, ref sink);
                 isBlocked = Float1.Any(sink.Blocked);
             }
             else
             {
                 MeshBlockSink<Double1> sink = default;
-                Run<R, F, I, Double4, Double1, MeshBlockSink<Double1>>(mesh, tree, wide, ray, boxRay, lane, ref sink);
+                Run<R, F, I, Double4, Double1, MeshBlockSink<Double1>>(mesh, tree, ray, boxRay, lane, ref sink);
                 isBlocked = Double1.Any(sink.Blocked);
             }
 
@@ -74,10 +74,10 @@ internal static unsafe class MeshSingle
             Parts = (Int1*)hits.Part + element,
         };
 
-    /// <summary>One lane.</summary>
+    /// <summary>Hands the hits of one lane with 0 &lt; t &lt;= limit to a sink, which lowers the limit.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Run<R, F, I, Q, R1, TSink>(
-        MeshData mesh, MeshTree tree, BvhWide wide, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, int lane, ref TSink sink)
+    public static void Run<R, F, I, Q, R1, TSink>(
+        MeshData mesh, MeshTree tree, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, int lane, ref TSink sink)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -94,13 +94,13 @@ internal static unsafe class MeshSingle
         if (mesh.Positions.Singles != null)
         {
             MeshSingleLeaf<Q, R1, MeshSinglePositions, TSink> leaf = new(tree.Triangles, new MeshSinglePositions(mesh.Positions.Singles), own, limit, toFloat, sink);
-            BvhWideTraversal.Run(wide.Nodes, wideRay, boxLimit, ref leaf);
+            BvhWideTraversal.Run(tree.Boxes, wideRay, boxLimit, ref leaf);
             sink = leaf.Sink;
         }
         else
         {
             MeshSingleLeaf<Q, R1, MeshDoublePositions, TSink> leaf = new(tree.Triangles, new MeshDoublePositions(mesh.Positions.Doubles), own, limit, toFloat, sink);
-            BvhWideTraversal.Run(wide.Nodes, wideRay, boxLimit, ref leaf);
+            BvhWideTraversal.Run(tree.Boxes, wideRay, boxLimit, ref leaf);
             sink = leaf.Sink;
         }
     }

@@ -23,7 +23,7 @@ internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, 
     private WatertightRay<Q> _ray;
     private bool _isPrepared;
 
-    public void Visit(int first, int count, ref float limit)
+    public void Visit(int first, int count, float* box, ref float limit)
     {
         if (!_isPrepared)
         {

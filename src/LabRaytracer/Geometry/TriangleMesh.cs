@@ -69,7 +69,13 @@ public sealed class TriangleMesh : Shape
         Double1 t = new(limit), a = default, b = default;
         Int1 owner = new(HitBatch<Double1, Float1, Int1>.Miss), part = default;
         MeshNearestSink<Double1, Float1, Int1> sink = new() { Object = 0, T = &t, A = &a, B = &b, Objects = &owner, Parts = &part };
-        MeshSearch.Run<Double1, Float1, Int1, MeshNearestSink<Double1, Float1, Int1>>(Data, Tree(1), Lanes(ray), t, ref sink);
+        MeshTree tree = Tree(1);
+        RayLanes<Double1> lanes = Lanes(ray);
+        if (MeshSearch.Prepare(tree, lanes, t, out BvhRay<Double1, Float1, Int1> boxRay))
+        {
+            MeshSingle.Run<Double1, Float1, Int1, Double4, Double1, MeshNearestSink<Double1, Float1, Int1>>(Data, tree, lanes, boxRay, 0, ref sink);
+        }
+
         GC.KeepAlive(this);
         hit = new Hit(t.Value, part.Value, a.Value, b.Value);
         return owner.Value == 0;

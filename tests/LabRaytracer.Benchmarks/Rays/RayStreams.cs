@@ -23,6 +23,9 @@ internal sealed class RayStreams<R, F, I> : IDisposable
 
     public void Dispose() => _memory.Dispose();
 
+    /// <summary>How far outside rays start, for the lanes' precision.</summary>
+    private static double Slack(in SurfacePoint surface) => R.IsSingle ? surface.Slack * (1 << 29) : surface.Slack;
+
     /// <summary>Every second block of 4 x 4 pixels in each direction.</summary>
     private static List<(Ray Ray, double Limit)> Camera()
     {
@@ -54,7 +57,7 @@ internal sealed class RayStreams<R, F, I> : IDisposable
             {
                 SurfacePoint surface = mesh.SurfaceAt(primary.Rays[i], hit);
                 Vector3D toLamp = lamp - surface.Point;
-                ray = Vector3D.Dot(surface.Normal, toLamp) > 0 ? (new Ray(surface.Point + (surface.Normal * surface.Slack), toLamp.Normalized()), toLamp.Length) : ray;
+                ray = Vector3D.Dot(surface.Normal, toLamp) > 0 ? (new Ray(surface.Point + (surface.Normal * Slack(surface)), toLamp.Normalized()), toLamp.Length) : ray;
             }
 
             rays.Add(ray);
@@ -80,7 +83,7 @@ internal sealed class RayStreams<R, F, I> : IDisposable
             double square = random.NextDouble();
             (double sin, double cos) = Math.SinCos(2 * Math.PI * random.NextDouble());
             Vector3D direction = (((aside * cos) + (Vector3D.Cross(normal, aside) * sin)) * Math.Sqrt(square)) + (normal * Math.Sqrt(1 - square));
-            rays.Add((new Ray(surface.Point + (normal * surface.Slack), direction.Normalized()), double.PositiveInfinity));
+            rays.Add((new Ray(surface.Point + (normal * Slack(surface)), direction.Normalized()), double.PositiveInfinity));
         }
 
         return rays;
