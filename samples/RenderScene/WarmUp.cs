@@ -5,6 +5,8 @@ namespace RenderScene;
 /// <summary>Lets the runtime compile the renderer on another processor while the command line and the scene file are read.</summary>
 internal static class WarmUp
 {
+    private const int LargeScene = 1 << 20;
+
     /// <summary>Renders one tile of what most scenes have, if a render is asked for and there are two processors; failures do not matter.</summary>
     /// <param name="arguments">The words after the program's name.</param>
     public static void Start(IReadOnlyList<string> arguments)
@@ -12,17 +14,28 @@ internal static class WarmUp
         if (Environment.ProcessorCount > 1 && arguments is [] or ["render", _, ..])
         {
             Precision precision = arguments.Contains("float") || arguments.Contains("--precision=float") ? Precision.Single : Precision.Double;
-            new Thread(() => Render(precision)) { IsBackground = true }.Start();
+            new Thread(() => Render(precision, arguments)) { IsBackground = true }.Start();
         }
     }
 
-    private static void Render(Precision precision)
+    /// <summary>Tells whether a scene file speaks of meshes.</summary>
+    private static bool HasMesh(IReadOnlyList<string> arguments) =>
+        arguments is [_, string path, ..] && new FileInfo(path) is { Exists: true, Length: < LargeScene }
+        && File.ReadAllBytes(path).AsSpan().IndexOf("\"mesh\""u8) >= 0;
+
+    private static void Render(Precision precision, IReadOnlyList<string> arguments)
     {
         try
         {
             RenderOptions options = new() { Width = 32, Height = 32, Threads = 1, Precision = precision };
             PngRowWriter writer = new(Stream.Null, options.Width, options.Height, PictureSaveOptions.Default);
-            Renderer.Render(Ball(), options, writer);
+            Scene scene = Ball();
+            if (HasMesh(arguments))
+            {
+                scene.Add(new TriangleMesh([-1, 0, 0, 1, 0, 0, 0, 1, 0.1, 0, 0, 1], [0, 1, 2, 0, 1, 3]), scene.Objects[0].Material);
+            }
+
+            Renderer.Render(scene, options, writer);
             writer.Finish();
         }
         catch (Exception)

@@ -17,7 +17,7 @@ internal sealed unsafe class BvhWide
         using LaneMemory temporary = new();
         int* firstItem = temporary.Column<int>(tree.NodeCount, 1), itemCount = temporary.Column<int>(tree.NodeCount, 1);
         CountItems(tree, firstItem, itemCount);
-        List<BvhWideNode> nodes = [default];
+        List<BvhWideNode> nodes = new((tree.NodeCount / 16) + 1) { default };
         Stack<(int Binary, int Wide)> pending = [];
         pending.Push((0, 0));
         int* children = stackalloc int[BvhWideNode.Width];
@@ -67,6 +67,8 @@ internal sealed unsafe class BvhWide
     private static int FindChildren(Bvh tree, int* itemCount, int parent, int* children)
     {
         children[0] = parent;
+        float* sizes = stackalloc float[BvhWideNode.Width];
+        sizes[0] = tree.Nodes[parent].Count > 0 ? -1 : float.PositiveInfinity;
         int count = 1;
         while (count < BvhWideNode.Width)
         {
@@ -74,10 +76,9 @@ internal sealed unsafe class BvhWide
             float size = -1;
             for (int i = 0; i < count; i++)
             {
-                float own = HalfArea(tree.Nodes + children[i]);
-                if ((itemCount[children[i]] > MostItems || children[i] == parent) && tree.Nodes[children[i]].Count <= 0 && own > size)
+                if (sizes[i] > size)
                 {
-                    (largest, size) = (i, own);
+                    (largest, size) = (i, sizes[i]);
                 }
             }
 
@@ -87,15 +88,23 @@ internal sealed unsafe class BvhWide
             }
 
             int opened = tree.Nodes[children[largest]].First;
-            children[largest] = opened;
-            children[count++] = opened + 1;
+            (children[largest], sizes[largest]) = (opened, SizeOf(tree, itemCount, opened));
+            (children[count], sizes[count]) = (opened + 1, SizeOf(tree, itemCount, opened + 1));
+            count++;
         }
 
         return count;
     }
 
-    private static float HalfArea(BvhNode* node)
+    /// <summary>Half the area of a node's box; -1 for what stays a leaf.</summary>
+    private static float SizeOf(Bvh tree, int* itemCount, int number)
     {
+        if (itemCount[number] <= MostItems)
+        {
+            return -1;
+        }
+
+        BvhNode* node = tree.Nodes + number;
         float x = node->MaxX - node->MinX, y = node->MaxY - node->MinY, z = node->MaxZ - node->MinZ;
         return (x * y) + (y * z) + (z * x);
     }

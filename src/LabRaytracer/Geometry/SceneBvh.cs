@@ -76,6 +76,9 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
         _search = new BundleSearch(_tree, [.. order.Select(item => boxes[item])]);
     }
 
+    /// <summary>Bytes of the tree.</summary>
+    public long Bytes => _tree?.Bytes ?? 0;
+
     /// <summary>Keeps the nearest hits of all objects in groups of lanes [firstPacket, endPacket).</summary>
     public void Nearest(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int firstPacket, int endPacket) => Run(rays, hits, firstPacket, endPacket);
 

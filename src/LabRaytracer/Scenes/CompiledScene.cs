@@ -26,6 +26,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     {
         Camera = scene.Camera;
         IsSkipping = isSkipping;
+        HashSet<TriangleMesh> meshes = StartTrees(scene, threads);
         Textures = new TexturePreparation(filter);
         ITexture[] used = [.. SceneTextures.Used(scene).Select(use => use.Texture).Distinct()], unused = [.. SceneTextures.Named(scene).Except(used)];
         Textures.PrepareAll(SceneTextures.Used(scene), threads);
@@ -53,6 +54,7 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
         _casters = opaque.All(Casts) ? _all : Search([.. opaque.Where(Casts)], threads);
         AlphaSurfaces = alpha.Count == 0 ? null : Search(alpha, threads);
         AlphaCasters = alpha.All(Casts) ? AlphaSurfaces : alpha.Any(Casts) ? Search([.. alpha.Where(Casts)], threads) : null;
+        Bytes = _memory.Bytes + _all.Bytes + (_casters == _all ? 0 : _casters.Bytes) + meshes.Sum(mesh => mesh.Bytes);
         (Lights, Environments) = PackLights(scene);
         foreach (AmbientLight light in scene.Lights.OfType<AmbientLight>())
         {
@@ -105,8 +107,8 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     /// <summary>Tells whether some texture is filtered, so that rays must carry differentials.</summary>
     public bool NeedsDifferentials => !IsSkipping || Keys.Select(key => key.Material).Append(Background).SelectMany(material => material.AllTextures).Any(list => list.NeedsFootprints);
 
-    /// <summary>Bytes of packed shapes and what searches them.</summary>
-    public long Bytes => _memory.Bytes;
+    /// <summary>Bytes of packed shapes, of meshes, and of what searches them.</summary>
+    public long Bytes { get; }
 
     /// <summary>The member number of each object in its group.</summary>
     public int* MemberOfObject => _memberOfObject;
@@ -139,6 +141,21 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     }
 
     private bool HasOpacity(ObjectEntry<R, F, I> entry) => Keys[KeyOf(entry.Number)].Material.Opacity is not null;
+
+    /// <summary>The meshes of a scene. Their trees need no textures: other threads start on them while textures are decoded.</summary>
+    private static HashSet<TriangleMesh> StartTrees(Scene scene, int threads)
+    {
+        HashSet<TriangleMesh> meshes = [];
+        foreach (SceneObject item in scene.Objects)
+        {
+            if (item.Shape is TriangleMesh mesh && meshes.Add(mesh) && threads > 1)
+            {
+                Task.Run(() => mesh.Tree(threads));
+            }
+        }
+
+        return meshes;
+    }
 
     private SceneBvh<R, F, I> Search(IReadOnlyList<ObjectEntry<R, F, I>> entries, int threads) => new(
         [.. entries.Select(entry => entry.Bounds)], [.. entries.Select(entry => entry.Group)], [.. entries.Select(entry => entry.Member)], threads, IsSkipping);

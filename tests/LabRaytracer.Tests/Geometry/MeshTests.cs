@@ -18,6 +18,18 @@ public class MeshTests
         Assert.Contains("positions at 1 is NaN", Assert.Throws<ArgumentException>(() => new TriangleMesh([0.0, 0, 0, 1, double.NaN, 0, 0, 1, 0], [0, 1, 2])).Message);
 
     [Fact]
+    public void Render_Mesh_GeometryBytesHoldPositionsCornersAndTree()
+    {
+        TriangleMesh mesh = MeshSamples.BumpyBall(3, 5, out _, out _);
+        Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(0, 0, 5), Point3D.Origin, 40) };
+        scene.Add(mesh, new Material());
+        long bytes = Renderer.Render(scene, new RenderOptions { Width = 8, Height = 8 }).Statistics.GeometryBytes;
+
+        // 3 floats or doubles a vertex, 3 numbers and 4 more of the tree's order a triangle, and boxes.
+        Assert.InRange(bytes, (12 * mesh.VertexCount) + (28 * mesh.TriangleCount), (200 * mesh.TriangleCount) + 4096);
+    }
+
+    [Fact]
     public void Constructor_NoTriangles_Throws() => Assert.Throws<ArgumentException>(() => new TriangleMesh(s_square, []));
 
     [Fact]
