@@ -41,8 +41,8 @@ internal sealed unsafe class BundleSearch
     private static double Largest(double min, double max) => Math.Max(Math.Abs(min), Math.Abs(max));
 
     private static Bounds BoxOf(Bvh tree, in BvhNode node) => new(
-        new Point3D(node.MinX + tree.CenterX, node.MinY + tree.CenterY, node.MinZ + tree.CenterZ),
-        new Point3D(node.MaxX + tree.CenterX, node.MaxY + tree.CenterY, node.MaxZ + tree.CenterZ));
+        new Point3D(node.MinX + tree.Frame.CenterX, node.MinY + tree.Frame.CenterY, node.MinZ + tree.Frame.CenterZ),
+        new Point3D(node.MaxX + tree.Frame.CenterX, node.MaxY + tree.Frame.CenterY, node.MaxZ + tree.Frame.CenterZ));
 
     /// <summary>Puts a candidate behind those that may come before it.</summary>
     private static void Insert(BundleCandidate* candidates, int count, BundleCandidate added)
