@@ -6,7 +6,7 @@ namespace LabRaytracer;
 /// <para>Local points are relative to the centre and in units of the ring's radius: (sqrt(x² + z²) - 1)² + y² = (tube / ring)².</para>
 /// <para>
 /// Accuracy: the sign changes of the quartic are bracketed by its extrema, which a cubic without square term gives; where an extremum or the origin is within a few units of
-/// the last place of deciding otherwise, twice the digits decide. The visible hit is computed with twice the digits: t within 2.5 units of 2^-53, the local point
+/// the last place of deciding otherwise, twice the digits decide. The visible hit is computed with twice the digits: t within 1 unit of 2^-53, the local point
 /// within 8 such units of the surface.
 /// </para>
 /// </remarks>
