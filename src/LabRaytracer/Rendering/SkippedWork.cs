@@ -5,6 +5,7 @@ namespace LabRaytracer;
 /// <param name="Count">How often, at least 0.</param>
 /// <param name="Seconds">
 /// What it would have cost, seconds summed over threads: the count times the mean cost of the same kind of work in the same render; null where the render did none of it.
+/// Rather too much than too little: lookups that share a texture or a mapping share its cost.
 /// </param>
 /// <remarks>Immutable, thread safe.</remarks>
 public sealed record SkippedWork(string Item, long Count, double? Seconds)
