@@ -14,6 +14,7 @@ internal sealed class CompiledRelief
                 _ => 1,
             };
             BumpLookup = Height == 0 ? -1 : lookups.AddSlopes(bump);
+            BumpSpace = SlopeSampler.SpaceOf(heights);
             BumpCoordinates = BumpLookup < 0 ? -1 : lookups.Lookups[BumpLookup].Coordinates;
         }
 
@@ -31,7 +32,10 @@ internal sealed class CompiledRelief
     /// <summary>Number of the lookup of the slopes of heights, or -1.</summary>
     public int BumpLookup { get; } = -1;
 
-    /// <summary>Its coordinate set, or -1 where heights are a function of the local point.</summary>
+    /// <summary>What the slopes are derivatives by.</summary>
+    public SlopeSpace BumpSpace { get; }
+
+    /// <summary>Its coordinate set, or -1 where heights are a function of the point.</summary>
     public int BumpCoordinates { get; } = -1;
 
     /// <summary>Scene units of height where the texture grows by 1.</summary>

@@ -133,7 +133,8 @@ internal sealed unsafe class ReliefStage<R, F, I>
             return;
         }
 
-        VectorColumns<F> dx = _slopes.Steps.LocalDx, dy = _slopes.Steps.LocalDy;
+        bool isWorld = relief.BumpSpace == SlopeSpace.World;
+        VectorColumns<F> dx = isWorld ? _slopes.Steps.WorldDx : _slopes.Steps.LocalDx, dy = isWorld ? _slopes.Steps.WorldDy : _slopes.Steps.LocalDy;
         along1 = height * Lane.Dot(slopes.R[packet], slopes.G[packet], slopes.B[packet], dx.X[packet], dx.Y[packet], dx.Z[packet]);
         along2 = height * Lane.Dot(slopes.R[packet], slopes.G[packet], slopes.B[packet], dy.X[packet], dy.Y[packet], dy.Z[packet]);
     }

@@ -17,5 +17,5 @@ internal interface IPreparedTexture : ITexture
     /// <param name="wrapV">Wrap in v that the mapping suggests.</param>
     /// <param name="filter">Filter that overrides the texture's own, or null.</param>
     TextureSampler PrepareSlopes(TextureChannel channel, TextureWrap wrapU, TextureWrap wrapV, TextureFilter? filter) => new SlopeSampler(
-        Prepare(channel == TextureChannel.Alpha ? TextureUse.Alpha : TextureUse.Data, filter), channel, (Needs & TextureNeeds.Coordinate) == 0);
+        Prepare(channel == TextureChannel.Alpha ? TextureUse.Alpha : TextureUse.Data, filter), channel, SlopeSampler.SpaceOf(this));
 }

@@ -3,14 +3,20 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Slopes of a texture of heights by differences to both sides, for textures that are no picture.</summary>
-/// <remarks>Red, green (and blue) are the derivatives by u and v, or by the local x, y and z.</remarks>
+/// <remarks>Red, green (and blue) are the derivatives by u and v, or by x, y and z.</remarks>
 /// <param name="heights">The texture made ready, as data.</param>
 /// <param name="channel">Which channel is the height.</param>
-/// <param name="isLocal">Whether the texture is a function of the local point instead of (u, v).</param>
-internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel channel, bool isLocal) : TextureSampler
+/// <param name="space">What they are derivatives by.</param>
+internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel channel, SlopeSpace space) : TextureSampler
 {
-    /// <summary>The step to either side, texture or local units: fine enough for a thousand details, coarse enough for heights in float.</summary>
+    /// <summary>The step to either side, texture, local or scene units: fine enough for a thousand details, coarse enough for heights in float.</summary>
     public const double Step = 1.0 / 2048;
+
+    /// <summary>What the slopes of a texture are derivatives by: (u, v) if it reads them.</summary>
+    public static SlopeSpace SpaceOf(ITexture texture) =>
+        (texture.Needs & TextureNeeds.Coordinate) != 0 ? SlopeSpace.Texture
+        : (texture.Needs & TextureNeeds.WorldPoint) != 0 ? SlopeSpace.World
+        : SlopeSpace.Local;
 
     [SkipLocalsInit]
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
@@ -21,7 +27,7 @@ internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel
         ColorColumns<F> behind = new() { R = memory + (3 * packets), G = memory + (4 * packets), B = memory + (5 * packets) };
         F* zero = colors.B;
         new Span<F>(zero, packets).Clear();
-        for (int axis = 0; axis < (isLocal ? 3 : 2); axis++)
+        for (int axis = 0; axis < (space == SlopeSpace.Texture ? 2 : 3); axis++)
         {
             LookupBatch<R> shifted = Along(lookups, axis, moved, out R* from);
             Move(from, moved, Step, packets);
@@ -37,7 +43,16 @@ internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel
         where R : unmanaged, IReal<R>
     {
         LookupBatch<R> shifted = lookups;
-        if (isLocal)
+        if (space == SlopeSpace.World)
+        {
+            PositionBatch<R> positions = lookups.Positions;
+            from = axis == 0 ? positions.WorldX : axis == 1 ? positions.WorldY : positions.WorldZ;
+            positions.WorldX = axis == 0 ? moved : positions.WorldX;
+            positions.WorldY = axis == 1 ? moved : positions.WorldY;
+            positions.WorldZ = axis == 2 ? moved : positions.WorldZ;
+            shifted.Positions = positions;
+        }
+        else if (space == SlopeSpace.Local)
         {
             PositionBatch<R> positions = lookups.Positions;
             from = axis == 0 ? positions.X : axis == 1 ? positions.Y : positions.Z;

@@ -60,7 +60,7 @@ internal sealed class TexturePreparation(TextureFilter? filter)
             TextureUse use = channel == TextureChannel.Alpha ? TextureUse.Alpha : TextureUse.Data;
             sampler = texture is IPreparedTexture prepared
                 ? prepared.PrepareSlopes(channel, mapping.DefaultWrapU, mapping.DefaultWrapV, filter)
-                : new SlopeSampler(new CustomSampler(texture, use), channel, (texture.Needs & TextureNeeds.Coordinate) == 0);
+                : new SlopeSampler(new CustomSampler(texture, use), channel, SlopeSampler.SpaceOf(texture));
             _slopes[key] = sampler;
         }
 

@@ -76,6 +76,21 @@ public sealed class ReliefTests
     }
 
     [Fact]
+    public void Bump_HeightInWorldSpace_DoesNotMoveWithTheObject()
+    {
+        // h = 0.2 Z of the world on a quad that is turned and stretched.
+        Scene scene = new() { Camera = TestScenes.AboveQuad() };
+        scene.Add(
+            new Quad(),
+            new Material { Bump = new ScalarSlot { Value = 0.2f, Texture = new WorldHeights() } },
+            Transform.Scaling(new Vector3D(5, 2, 3)).Then(Transform.Rotation(Vector3D.UnitY, 30)));
+        foreach (Intensity pixel in Seen(Normals(scene, Side)))
+        {
+            Same(Unit(0, 1, -0.2), pixel, 5e-5f);
+        }
+    }
+
+    [Fact]
     public void Bump_HeightByLatitude_TiltsAlongTheMeridian()
     {
         // h = 0.5 v, v = 1 - theta / pi: grad h = 0.5 / (pi r) north, whatever the longitude.
@@ -244,6 +259,14 @@ public sealed class ReliefTests
     {
         Vector3D actual = Decode(pixel);
         Assert.True((actual - expected).Length < 2 * tolerance, $"expected {expected}, got {actual}");
+    }
+
+    /// <summary>Heights that grow along Z of the world.</summary>
+    private sealed class WorldHeights : ITexture
+    {
+        public TextureNeeds Needs => TextureNeeds.WorldPoint;
+
+        public Intensity Sample(in TextureLookup lookup) => Intensity.Grey((float)lookup.WorldPoint.Z);
     }
 
     /// <summary>Heights by a formula of (u, v) or of the local point.</summary>
