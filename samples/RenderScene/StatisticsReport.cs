@@ -42,6 +42,7 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
         ("secondaryRaysSkipped", "  skipped: too faint to be seen", statistics.SecondaryRaysSkipped),
         ("hits", "visible hits", statistics.Hits),
         ("hitsRefined", "  refined: twice the digits", statistics.HitsRefined),
+        ("lampSamples", "samples of lamps of some extent", statistics.LampSamples),
         ("shadowRays", "shadow rays", statistics.ShadowRays),
         ("shadowRaysSkipped", "  skipped: no light from there", statistics.ShadowRaysSkipped),
         ("mappings", "mappings evaluated", statistics.Mappings),

@@ -113,6 +113,7 @@ internal sealed unsafe class LightStage<R, F, I>(
     private void AddLamp(int lamp, CompiledMaterial material, int* order, int count, int packets)
     {
         int samples = lamps.Begin(lamp, order, packets);
+        counters.LampSamples += samples > 1 ? (long)count * samples : 0;
         for (int sample = 0; sample < samples; sample++)
         {
             lamps.Sample(lamp, sample, count, packets);

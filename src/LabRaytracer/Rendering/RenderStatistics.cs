@@ -28,6 +28,9 @@ public sealed class RenderStatistics
     /// </summary>
     public long HitsRefined { get; internal set; }
 
+    /// <summary>Samples of lamps that have several (flat lamps, surroundings), one a hit and sample; each is a shadow ray that is followed or skipped.</summary>
+    public long LampSamples { get; internal set; }
+
     /// <summary>Shadow rays followed.</summary>
     public long ShadowRays { get; internal set; }
 

@@ -8,7 +8,7 @@ internal sealed class WorkerCounters
     private readonly long[] _ticks = new long[Enum.GetValues<RenderStage>().Length];
     private long _since;
 
-    public long PrimaryRays, SecondaryRays, Hits, HitsRefined, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped;
+    public long PrimaryRays, SecondaryRays, Hits, HitsRefined, LampSamples, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped;
 
     public long Mappings, TextureLookups, AlphaTests, ConstantSlots, UnlitHits, NotFinite;
 
@@ -42,6 +42,7 @@ internal sealed class WorkerCounters
         statistics.SecondaryRays += SecondaryRays;
         statistics.Hits += Hits;
         statistics.HitsRefined += HitsRefined;
+        statistics.LampSamples += LampSamples;
         statistics.ShadowRays += ShadowRays;
         statistics.ShadowRaysSkipped += ShadowRaysSkipped;
         statistics.SecondaryRaysSkipped += SecondaryRaysSkipped;

@@ -49,7 +49,7 @@ public sealed class ManySamplesTests
         scene.Lights.Add(new Sides());
         Assert.All(TestScenes.Render(scene, 8, 8).Pixels.ToArray(), pixel => Assert.Equal((0.3, 0, 0.3), (Math.Round(pixel.R, 6), pixel.G, Math.Round(pixel.B, 6))));
         RenderStatistics statistics = Renderer.Render(scene, new RenderOptions { Width = 8, Height = 8 }).Statistics;
-        Assert.Equal(64 * 4, statistics.ShadowRays);
+        Assert.Equal((64 * 4, 64 * 4), (statistics.ShadowRays, statistics.LampSamples));
     }
 
     private static Scene Sampled()
