@@ -47,6 +47,7 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
         ("shadowRaysSkipped", "  skipped: no light from there", statistics.ShadowRaysSkipped),
         ("mappings", "mappings evaluated", statistics.Mappings),
         ("textureLookups", "texture lookups", statistics.TextureLookups),
+        ("filterFallbacks", "  filtered too softly: too long", statistics.FilterFallbacks),
         ("alphaTests", "opacities looked up", statistics.AlphaTests),
         ("constantSlots", "  skipped: constant coefficients", statistics.ConstantSlots),
         ("textures", "textures made ready", statistics.Textures),

@@ -9,6 +9,15 @@ internal readonly unsafe struct FootprintColumns
     /// <summary>Change of u and v over one sample down.</summary>
     public readonly float* DuDy, DvDy;
 
+    /// <summary>Columns that exist already.</summary>
+    public FootprintColumns(float* duDx, float* dvDx, float* duDy, float* dvDy)
+    {
+        DuDx = duDx;
+        DvDx = dvDx;
+        DuDy = duDy;
+        DvDy = dvDy;
+    }
+
     /// <param name="memory">Owns the columns.</param>
     /// <param name="capacity">Floats in each; a whole number of the widest lanes.</param>
     public FootprintColumns(LaneMemory memory, int capacity)

@@ -23,8 +23,8 @@ namespace LabRaytracer;
 /// </remarks>
 public sealed class SphericalMapping : IWideMapping
 {
-    /// <summary>Clamp: the picture ends at both ends of v.</summary>
-    public TextureWrap DefaultWrapV => TextureWrap.Clamp;
+    /// <summary>Pole: filters go on at the other side of the poles.</summary>
+    public TextureWrap DefaultWrapV => TextureWrap.Pole;
 
     /// <summary>Texture coordinates of a point.</summary>
     /// <param name="localPoint">The point in object space. For the angles NaN counts as 0 and infinity as the largest number: they stay in range.</param>

@@ -14,4 +14,10 @@ public enum TextureWrap
 
     /// <summary>Black outside the picture.</summary>
     Border,
+
+    /// <summary>
+    /// The edge texel goes on, and where a filter reads beyond the edge, it goes on at the other side of the pole: (u + 1/2, -v) below v = 0, (u + 1/2, 2 - v) above v = 1.
+    /// For the v of spherical maps; the filters nearest, bilinear, Catmull-Rom and B-spline do not look beyond the edge.
+    /// </summary>
+    Pole,
 }

@@ -64,6 +64,9 @@ public sealed class RenderStatistics
     /// <summary>What was left out, and what it would have cost.</summary>
     public IReadOnlyList<SkippedWork> Skipped => SkippedWork.Of(this);
 
+    /// <summary>Texture lookups whose footprint was more than 64 times as long as wide: the filter ewa made them too soft.</summary>
+    public long FilterFallbacks { get; internal set; }
+
     /// <summary>Pixels that came out NaN or infinite and were set to black.</summary>
     public long NotFinitePixels { get; internal set; }
 

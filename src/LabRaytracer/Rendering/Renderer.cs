@@ -135,6 +135,7 @@ public static class Renderer
         start = Stopwatch.GetTimestamp();
         new TileLoop<R, F, I>(compiled, options, area, progress, cancellation).Run(target, statistics);
         statistics.RenderSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        statistics.FilterFallbacks = compiled.Textures.Fallbacks;
         GC.KeepAlive(scene);
         return statistics;
     }

@@ -65,7 +65,7 @@ public sealed unsafe class GridTexture : IPreparedTexture
     {
         R one = R.Of(1);
         R x = (u - R.Floor(u)) * R.Of(Columns);
-        R y = (wrapV == TextureWrap.Clamp ? R.Max(R.Min(v, one), R.Zero) : v - R.Floor(v)) * R.Of(Rows);
+        R y = (wrapV is TextureWrap.Clamp or TextureWrap.Pole ? R.Max(R.Min(v, one), R.Zero) : v - R.Floor(v)) * R.Of(Rows);
 
         // The minimum also keeps v = 1 in the top row, and lanes without a point (any bits, NaN) inside the tables.
         R column = R.Min(R.Floor(x), R.Of(Columns - 1)), row = R.Min(R.Floor(y), R.Of(Rows - 1));

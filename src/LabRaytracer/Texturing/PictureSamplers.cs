@@ -81,9 +81,18 @@ internal static unsafe class PictureSamplers
     };
 
     private static TextureSampler Sampler<TReader>(TexelStore store, float[]? table, TReader reader, bool isData, SamplingOptions options, TextureFilter filter)
-        where TReader : struct, ITexelReader => filter is TextureFilter.CatmullRom or TextureFilter.BSpline
-            ? new BicubicSampler<TReader>(store, table, reader, options, filter, isData)
-            : new PictureSampler<TReader>(store, table, reader, options, filter);
+        where TReader : struct, ITexelReader
+    {
+        MipPyramid Pyramid() => store.Pyramid((typeof(TReader), isData, options.ColorSpace), () => new MipPyramid(new ReaderRows<TReader>(store, table, reader)));
+        return filter switch
+        {
+            TextureFilter.CatmullRom or TextureFilter.BSpline => new BicubicSampler<TReader>(store, table, reader, options, filter, isData),
+            TextureFilter.Trilinear => new TrilinearSampler<TReader>(store, table, reader, options, Pyramid()),
+            TextureFilter.Ewa => new EwaSampler<TReader>(store, table, reader, options, Pyramid()),
+            TextureFilter.Area => new AreaSampler<TReader>(store, table, reader, options, Pyramid()),
+            _ => new PictureSampler<TReader>(store, table, reader, options, filter),
+        };
+    }
 
     private static TextureSampler WithTable<TReader>(
         TexelStore store, TransferFunction transfer, Func<nint, nint, TReader> reader, bool isData, SamplingOptions options, TextureFilter filter)

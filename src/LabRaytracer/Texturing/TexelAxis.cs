@@ -109,7 +109,7 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
 
     /// <summary>The coordinate brought into [0, 1].</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private R Wrapped<R>(R coordinate)
+    internal R Wrapped<R>(R coordinate)
         where R : unmanaged, IReal<R> => Wrap switch
         {
             TextureWrap.Repeat => Elementary.WrapRepeat(coordinate),
@@ -119,7 +119,7 @@ internal readonly record struct TexelAxis(int Size, TextureWrap Wrap, TexelConve
 
     /// <summary>Mask of coordinates outside a picture with a border.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private R Outside<R>(R coordinate)
+    internal R Outside<R>(R coordinate)
         where R : unmanaged, IReal<R> => Wrap == TextureWrap.Border
             ? R.Less(coordinate, R.Zero) | R.Less(R.Of(1), coordinate)
             : R.Zero;

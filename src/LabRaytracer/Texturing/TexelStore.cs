@@ -3,10 +3,11 @@ using System.Runtime.InteropServices;
 namespace LabRaytracer;
 
 /// <summary>The packed texels of a texture, in the file's own format and row order (row 0 on top), pinned for gathers.</summary>
-/// <remarks>Immutable, thread safe.</remarks>
+/// <remarks>Immutable but for the smaller versions that it keeps, thread safe.</remarks>
 internal sealed unsafe class TexelStore
 {
     private readonly GCHandle _pin;
+    private readonly Dictionary<object, MipPyramid> _pyramids = [];
 
     public TexelStore(PixelBuffer pixels)
     {
@@ -33,6 +34,23 @@ internal sealed unsafe class TexelStore
 
     /// <summary>The first sample of the top-left texel.</summary>
     public void* Samples => (void*)_pin.AddrOfPinnedObject();
+
+    /// <summary>The smaller versions of the picture, made once for every way to read it.</summary>
+    /// <param name="key">What the way to read it depends on.</param>
+    /// <param name="create">Makes them.</param>
+    public MipPyramid Pyramid(object key, Func<MipPyramid> create)
+    {
+        lock (_pyramids)
+        {
+            if (!_pyramids.TryGetValue(key, out MipPyramid? pyramid))
+            {
+                pyramid = create();
+                _pyramids[key] = pyramid;
+            }
+
+            return pyramid;
+        }
+    }
 
     /// <summary>The linear colour of one texel; y up.</summary>
     /// <param name="table">Linear light of every code, of the picture's format; not read for float samples.</param>

@@ -133,13 +133,30 @@ public sealed class Texture : IPreparedTexture
         Sampling.WrapU == TextureWrap.Border || Sampling.WrapV == TextureWrap.Border || _alphaMap is not null || (_store is not null && _store.Value.Pixels.HasAlpha);
 
     /// <inheritdoc/>
+    public TextureNeeds Needs => NeedsUnder(Sampling.Filter);
+
+    /// <inheritdoc/>
+    /// <remarks>
+    /// With a footprint, the filters that read it make smaller versions of the picture first: once for a texture from a file, at each call for one with an array, whose edits they must see.
+    /// </remarks>
     public Intensity Sample(in TextureLookup lookup) => Sample(lookup, TextureUse.Color);
 
     /// <inheritdoc/>
     public float Alpha(in TextureLookup lookup) => Sample(lookup, TextureUse.Alpha).R;
 
+    TextureNeeds IPreparedTexture.NeedsUnder(TextureFilter? filter) => NeedsUnder(filter ?? Sampling.Filter);
+
+    private static TextureNeeds NeedsUnder(TextureFilter filter) => filter is TextureFilter.Trilinear or TextureFilter.Ewa or TextureFilter.Area
+        ? TextureNeeds.Coordinate | TextureNeeds.Footprint
+        : TextureNeeds.Coordinate;
+
     private Intensity Sample(in TextureLookup lookup, TextureUse use)
     {
+        if (!lookup.Footprint.IsPoint && (NeedsUnder(Sampling.Filter) & TextureNeeds.Footprint) != 0)
+        {
+            return ScalarSampler.Sample(((IPreparedTexture)this).Prepare(use, null), lookup);
+        }
+
         TexelAxis across = new(Width, Sampling.WrapU ?? lookup.WrapU, Sampling.Texels);
         TexelAxis up = new(Height, Sampling.WrapV ?? lookup.WrapV, Sampling.Texels);
         Double1 u = new(lookup.Coordinate.U), v = new(lookup.Coordinate.V);

@@ -17,4 +17,19 @@ public enum TextureFilter
 
     /// <summary>Sixteen texels by the uniform cubic B-spline: soft, twice differentiable, never leaves the range of its texels.</summary>
     BSpline,
+
+    /// <summary>
+    /// Over the footprint of the sample, as wide in all directions as in its longest one: two bilinear colours of smaller versions of the picture, mixed.
+    /// No flicker, but too soft where a surface is seen at a slant.
+    /// </summary>
+    Trilinear,
+
+    /// <summary>
+    /// Over the footprint of the sample, by its own width in every direction: an elliptical weighted average of texels (Greene and Heckbert 1986) of the smaller version
+    /// whose texels fit the shorter side. Up to 64 times as long as wide; longer footprints are filtered too softly, which the statistics count.
+    /// </summary>
+    Ewa,
+
+    /// <summary>The exact mean of the bilinear picture over the footprint of the sample, within 1e-6: the reference that the other filters are measured by. Slow.</summary>
+    Area,
 }

@@ -7,6 +7,11 @@ internal sealed class TexturePreparation(TextureFilter? filter)
     private readonly Dictionary<(ITexture Texture, TextureUse Use), TextureSampler> _samplers = [];
     private readonly Dictionary<(ITexture Texture, TextureChannel Channel, TextureWrap WrapU, TextureWrap WrapV), TextureSampler> _slopes = [];
 
+    private int _threads = 1;
+
+    /// <summary>Lookups whose footprint was too long for its width.</summary>
+    public long Fallbacks => _samplers.Values.Sum(sampler => sampler.Fallbacks);
+
     /// <summary>Number of textures made ready.</summary>
     public int Count => _samplers.Count;
 
@@ -16,6 +21,7 @@ internal sealed class TexturePreparation(TextureFilter? filter)
     public void PrepareAll(IEnumerable<(ITexture Texture, TextureUse Use)> uses, int threads)
     {
         (ITexture Texture, TextureUse Use)[] open = [.. uses.Distinct().Where(use => use.Texture.Needs != TextureNeeds.None && !_samplers.ContainsKey(use))];
+        _threads = threads;
         TextureSampler[] ready = new TextureSampler[open.Length];
         try
         {
@@ -67,6 +73,10 @@ internal sealed class TexturePreparation(TextureFilter? filter)
         return sampler;
     }
 
-    private TextureSampler Create(ITexture texture, TextureUse use) =>
-        texture is IPreparedTexture prepared ? prepared.Prepare(use, filter) : new CustomSampler(texture, use);
+    private TextureSampler Create(ITexture texture, TextureUse use)
+    {
+        TextureSampler sampler = texture is IPreparedTexture prepared ? prepared.Prepare(use, filter) : new CustomSampler(texture, use);
+        sampler.Threads = _threads;
+        return sampler;
+    }
 }

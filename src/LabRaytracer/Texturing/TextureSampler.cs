@@ -3,6 +3,17 @@ namespace LabRaytracer;
 /// <summary>A texture made ready for one render: looked up many points at a time.</summary>
 internal abstract unsafe class TextureSampler
 {
+    private long _fallbacks;
+
+    /// <summary>Threads that may build what lookups need, at least 1.</summary>
+    public int Threads { get; set; } = 1;
+
+    /// <summary>Lookups so far whose footprint was too long for its width: they were filtered too softly.</summary>
+    public long Fallbacks => Volatile.Read(ref _fallbacks);
+
+    /// <summary>Counts such lookups.</summary>
+    protected void CountFallbacks(int count) => Interlocked.Add(ref _fallbacks, count);
+
     /// <summary>Colours of the first <paramref name="packets"/> groups of lanes.</summary>
     /// <param name="lookups">Where.</param>
     /// <param name="colors">Where the colours go.</param>
