@@ -51,8 +51,8 @@ internal sealed unsafe class AreaSampler<TReader>(
     {
         int width = Pyramid.Widths[level], height = Pyramid.Heights[level];
         int turn = wrapV == TextureWrap.Pole && (uint)y >= (uint)height ? width / 2 : 0;
-        x = EwaSum.Wrap(x + turn, width, wrapU);
-        y = EwaSum.Wrap(y, height, wrapV);
+        x = EwaLevel.Wrap(x + turn, width, wrapU);
+        y = EwaLevel.Wrap(y, height, wrapV);
         if (level > 0)
         {
             return Pyramid.Texel(level, x, y);

@@ -18,14 +18,12 @@ internal readonly struct Ellipse
     /// <summary>Half the height, texels.</summary>
     public readonly float Height;
 
-    /// <summary>Change of the middle of a row from row to row.</summary>
-    public readonly float Slant;
-
     /// <summary>Weight lost per square texel from the middle of a row.</summary>
     public readonly float Fall;
 
     private readonly float _inverseSquareHeight;
     private readonly float _inverseFall;
+    private readonly float _slant;
 
     /// <param name="xx">Sum of the squares of the sides' components along a row, square texels.</param>
     /// <param name="xy">Sum of the products of their components.</param>
@@ -39,16 +37,25 @@ internal readonly struct Ellipse
         float determinant = MathF.Max(MathF.FusedMultiplyAdd(exx, eyy, -(exy * exy)), Edge * Blur * MathF.Max(exx, eyy));
         Height = MathF.Sqrt(eyy);
         _inverseSquareHeight = 1 / eyy;
-        Slant = exy * _inverseSquareHeight;
+        _slant = exy * _inverseSquareHeight;
         Fall = eyy / determinant;
         _inverseFall = determinant * _inverseSquareHeight;
     }
 
-    /// <summary>Weight in the middle of a row; not above 0 where the row lies outside.</summary>
+    /// <summary>One row.</summary>
+    /// <param name="dy">The row, from the centre.</param>
+    /// <param name="centerX">Centre of the ellipse.</param>
+    /// <param name="center">Middle of the row.</param>
+    /// <param name="from">First texel.</param>
+    /// <param name="to">Last texel; before the first one if the row lies outside.</param>
+    /// <returns>Weight in the middle of the row.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public float Middle(float dy) => MathF.FusedMultiplyAdd(-dy * dy, _inverseSquareHeight, 1);
-
-    /// <summary>Half the width of a row with a given weight in the middle, texels.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public float HalfWidth(float middle) => MathF.Sqrt(middle * _inverseFall);
+    public float Row(float dy, float centerX, out float center, out int from, out int to)
+    {
+        float middle = MathF.Max(MathF.FusedMultiplyAdd(-dy * dy, _inverseSquareHeight, 1), 0), half = MathF.Sqrt(middle * _inverseFall);
+        center = MathF.FusedMultiplyAdd(_slant, dy, centerX);
+        from = (int)MathF.Ceiling(center - half);
+        to = (int)MathF.Floor(center + half);
+        return middle;
+    }
 }

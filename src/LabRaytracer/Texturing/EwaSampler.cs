@@ -65,9 +65,7 @@ internal sealed unsafe class EwaSampler<TReader>(
             int lane = System.Numerics.BitOperations.TrailingZeroCount(open);
             int level = (int)n[(3 * width) + lane];
             Pyramid.Require(level, Threads);
-            EwaSum sum = new(Pyramid, level, across.Wrap, up.Wrap);
-            Add(ref sum, n[lane], n[width + lane], n[(2 * width) + lane], R.Take(places, lane), R.Take(places + 1, lane));
-            Intensity mean = sum.Mean;
+            Intensity mean = Mean(level, across.Wrap, up.Wrap, n + lane, width, R.Take(places, lane), R.Take(places + 1, lane));
             float share = n[(4 * width) + lane];
             colors.Put(first + lane, share >= 1 ? mean : Intensity.Lerp(colors.Take(first + lane), mean, share));
         }
@@ -75,40 +73,107 @@ internal sealed unsafe class EwaSampler<TReader>(
         return System.Numerics.BitOperations.PopCount(F.Bits(shape.IsTooLong) & large);
     }
 
-    /// <summary>Adds the texels of an ellipse.</summary>
-    private void Add(ref EwaSum sum, float xx, float xy, float yy, double u, double v)
+    /// <summary>The mean over one ellipse.</summary>
+    /// <param name="level">The level, which is there.</param>
+    /// <param name="wrapU">Wrap of columns.</param>
+    /// <param name="wrapV">Wrap of rows.</param>
+    /// <param name="shape">xx, xy and yy of the footprint.</param>
+    /// <param name="stride">Distance of these three.</param>
+    /// <param name="u">Centre, [0, 1].</param>
+    /// <param name="v">Centre, [0, 1].</param>
+    private Intensity Mean(int level, TextureWrap wrapU, TextureWrap wrapV, float* shape, int stride, double u, double v)
     {
-        float scaleX = sum.Width / (float)Pyramid.Widths[0], scaleY = sum.Height / (float)Pyramid.Heights[0];
-        Ellipse ellipse = new(xx * (scaleX * scaleX), xy * (scaleX * scaleY), yy * (scaleY * scaleY));
-        double centerX = (u * sum.Width) - 0.5, centerY = (v * sum.Height) - 0.5;
-        int column = (int)Math.Floor(centerX), row = (int)Math.Floor(centerY);
+        EwaLevel texels = new(Pyramid, level, Start, wrapU, wrapV);
+        float scaleX = texels.Width / (float)Pyramid.Widths[0], scaleY = texels.Height / (float)Pyramid.Heights[0];
+        Ellipse ellipse = new(shape[0] * (scaleX * scaleX), shape[stride] * (scaleX * scaleY), shape[2 * stride] * (scaleY * scaleY));
+        double x = (u * texels.Width) - 0.5, y = (v * texels.Height) - 0.5;
+        return level == 0 ? PictureMean(texels, ellipse, x, y) : LevelMean(texels, ellipse, x, y);
+    }
+
+    /// <summary>The mean of texels of a level from 1 on.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private Intensity LevelMean(in EwaLevel texels, in Ellipse ellipse, double centerX, double centerY)
+    {
+        Float8* apart = stackalloc Float8[3];
+        float* planeR = Pyramid.Red, planeG = Pyramid.Green, planeB = Pyramid.Blue;
+        Float8 red = Float8.Zero, green = Float8.Zero, blue = Float8.Zero, sum = Float8.Zero, fall = Float8.Of(-ellipse.Fall), iota = Float8.Iota(0);
+        int column = (int)Math.Floor(centerX), row = (int)Math.Floor(centerY), limit = texels.Width - Float8.Width;
         float cx = (float)(centerX - column), cy = (float)(centerY - row);
         int end = (int)MathF.Floor(cy + ellipse.Height);
         for (int y = (int)MathF.Ceiling(cy - ellipse.Height); y <= end; y++)
         {
-            float dy = y - cy, middle = ellipse.Middle(dy);
-            if (middle <= 0)
-            {
-                continue;
-            }
-
-            float half = ellipse.HalfWidth(middle), center = MathF.FusedMultiplyAdd(ellipse.Slant, dy, cx);
-            int from = (int)MathF.Ceiling(center - half), to = (int)MathF.Floor(center + half);
-            sum.StartRow(row + y, Start, store.Width);
+            float middle = ellipse.Row(y - cy, cx, out float center, out int from, out int to);
+            int start = texels.Row(row + y, out int turn);
+            turn += column;
             for (int x = from; x <= to; x += Float8.Width)
             {
-                Float8 d = Float8.Iota(x - center);
-                Float8 weight = Float8.Max(Float8.Fma(d * Float8.Of(-ellipse.Fall), d, Float8.Of(middle)), Float8.Zero);
-                if (sum.Level == 0)
+                Float8 d = iota + Float8.Of(x - center);
+                Float8 weight = Float8.Max(Float8.Fma(d * fall, d, Float8.Of(middle)), Float8.Zero);
+                int first = texels.Column(turn + x);
+                if (first <= limit)
                 {
-                    sum.AddPicture(Reader, column + x, weight);
+                    first += start;
+                    red = Float8.Fma(weight, *(Float8*)(planeR + first), red);
+                    green = Float8.Fma(weight, *(Float8*)(planeG + first), green);
+                    blue = Float8.Fma(weight, *(Float8*)(planeB + first), blue);
                 }
                 else
                 {
-                    sum.AddLevel(column + x, weight);
+                    texels.ReadApart(start, turn + x, apart);
+                    red = Float8.Fma(weight, apart[0], red);
+                    green = Float8.Fma(weight, apart[1], green);
+                    blue = Float8.Fma(weight, apart[2], blue);
                 }
+
+                sum += weight;
             }
         }
+
+        return Mean(red, green, blue, sum);
+    }
+
+    /// <summary>The mean of texels of the picture.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private Intensity PictureMean(in EwaLevel texels, in Ellipse ellipse, double centerX, double centerY)
+    {
+        Float8 red = Float8.Zero, green = Float8.Zero, blue = Float8.Zero, sum = Float8.Zero, fall = Float8.Of(-ellipse.Fall), iota = Float8.Iota(0);
+        int column = (int)Math.Floor(centerX), row = (int)Math.Floor(centerY), limit = texels.Width - Float8.Width;
+        float cx = (float)(centerX - column), cy = (float)(centerY - row);
+        int end = (int)MathF.Floor(cy + ellipse.Height);
+        for (int y = (int)MathF.Ceiling(cy - ellipse.Height); y <= end; y++)
+        {
+            float middle = ellipse.Row(y - cy, cx, out float center, out int from, out int to);
+            int start = texels.Row(row + y, out int turn);
+            turn += column;
+            for (int x = from; x <= to; x += Float8.Width)
+            {
+                Float8 d = iota + Float8.Of(x - center);
+                Float8 weight = Float8.Max(Float8.Fma(d * fall, d, Float8.Of(middle)), Float8.Zero);
+                int first = texels.Column(turn + x);
+                Int8 elements = first <= limit ? Int8.Iota(start + first) : texels.Apart(start, turn + x);
+                Reader.Read(elements, out Float8 r, out Float8 g, out Float8 b);
+                red = Float8.Fma(weight, r, red);
+                green = Float8.Fma(weight, g, green);
+                blue = Float8.Fma(weight, b, blue);
+                sum += weight;
+            }
+        }
+
+        return Mean(red, green, blue, sum);
+    }
+
+    private static Intensity Mean(Float8 red, Float8 green, Float8 blue, Float8 weight)
+    {
+        float toMean = 1 / Sum(weight);
+        return new Intensity(Sum(red) * toMean, Sum(green) * toMean, Sum(blue) * toMean);
+    }
+
+    /// <summary>Sum of eight numbers, always in the same order.</summary>
+    private static float Sum(Float8 lanes)
+    {
+        float* n = (float*)&lanes;
+        return ((n[0] + n[4]) + (n[2] + n[6])) + ((n[1] + n[5]) + (n[3] + n[7]));
     }
 
     /// <summary>Footprints of one group of lanes, texels of the picture.</summary>

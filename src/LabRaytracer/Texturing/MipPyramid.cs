@@ -46,7 +46,7 @@ internal sealed unsafe class MipPyramid
 
         if (texels > int.MaxValue)
         {
-            throw new PictureFormatException($"A picture of {picture.Width} x {picture.Height} texels is too large for the filters trilinear and ewa: they take at most 6442450941 texels. Use bilinear.");
+            throw new PictureFormatException("texture", $"a picture of {picture.Width} x {picture.Height} texels is too large for the filters trilinear, ewa and area, which take at most 6442450941 texels; use bilinear");
         }
 
         // Not cleared: pages that no level is written to take no memory.

@@ -1,0 +1,107 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>The texels of one level of a pyramid, anywhere: beyond the edges lies what the wraps put there.</summary>
+internal readonly unsafe struct EwaLevel
+{
+    private readonly MipPyramid _pyramid;
+    private readonly TextureWrap _wrapU, _wrapV;
+    private readonly int _start, _stride;
+
+    /// <param name="pyramid">The levels.</param>
+    /// <param name="level">The level, which is there.</param>
+    /// <param name="pictureStart">Element number of the bottom-left texel of level 0, whose rows go up while the store's go down.</param>
+    /// <param name="wrapU">What lies beyond the columns.</param>
+    /// <param name="wrapV">What lies beyond the rows.</param>
+    public EwaLevel(MipPyramid pyramid, int level, int pictureStart, TextureWrap wrapU, TextureWrap wrapV)
+    {
+        _pyramid = pyramid;
+        _wrapU = wrapU;
+        _wrapV = wrapV;
+        Width = pyramid.Widths[level];
+        Height = pyramid.Heights[level];
+        _start = level == 0 ? pictureStart : pyramid.Starts[level];
+        _stride = level == 0 ? -Width : Width;
+    }
+
+    /// <summary>Columns of the level.</summary>
+    public int Width { get; }
+
+    /// <summary>Rows of the level.</summary>
+    public int Height { get; }
+
+    /// <summary>A place beyond an end, brought inside.</summary>
+    /// <param name="place">Column or row, anywhere.</param>
+    /// <param name="size">Number of columns or rows.</param>
+    /// <param name="wrap">What lies beyond.</param>
+    public static int Wrap(int place, int size, TextureWrap wrap)
+    {
+        if ((uint)place < (uint)size)
+        {
+            return place;
+        }
+
+        switch (wrap)
+        {
+            case TextureWrap.Repeat:
+                int rest = place % size;
+                return rest < 0 ? rest + size : rest;
+            case TextureWrap.Mirror:
+                int twice = 2 * size, turn = ((place % twice) + twice) % twice;
+                return turn < size ? turn : twice - 1 - turn;
+            case TextureWrap.Pole:
+                return Math.Clamp(place < 0 ? -1 - place : (2 * size) - 1 - place, 0, size - 1);
+            default:
+                return Math.Clamp(place, 0, size - 1);
+        }
+    }
+
+    /// <summary>Element number of the first texel of a row.</summary>
+    /// <param name="y">The row, anywhere.</param>
+    /// <param name="turn">How many columns further the row is read: half of them beyond a pole.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Row(int y, out int turn)
+    {
+        turn = 0;
+        if ((uint)y >= (uint)Height)
+        {
+            turn = _wrapV == TextureWrap.Pole ? Width / 2 : 0;
+            y = Wrap(y, Height, _wrapV);
+        }
+
+        return _start + (y * _stride);
+    }
+
+    /// <summary>The column at which eight texels in a row start, if they lie side by side; else one that is too far to the right.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Column(int x) => (uint)x < (uint)Width ? x : _wrapU == TextureWrap.Repeat ? Wrap(x, Width, TextureWrap.Repeat) : Width;
+
+    /// <summary>Element numbers of eight texels, each wrapped by itself.</summary>
+    /// <param name="row">Element number of the first texel of their row.</param>
+    /// <param name="x">Column of the first one, anywhere.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public Int8 Apart(int row, int x)
+    {
+        int* texels = stackalloc int[Int8.Width];
+        for (int k = 0; k < Int8.Width; k++)
+        {
+            texels[k] = row + Wrap(x + k, Width, _wrapU);
+        }
+
+        return Int8.Load(texels);
+    }
+
+    /// <summary>Reads eight texels of a level from 1 on, each wrapped by itself.</summary>
+    /// <param name="row">Element number of the first texel of their row.</param>
+    /// <param name="x">Column of the first one, anywhere.</param>
+    /// <param name="colors">Receives eight of red, then of green, then of blue.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public void ReadApart(int row, int x, Float8* colors)
+    {
+        Int8 texels = Apart(row, x);
+        colors[0] = Float8.Gather((Float8*)_pyramid.Red, texels);
+        colors[1] = Float8.Gather((Float8*)_pyramid.Green, texels);
+        colors[2] = Float8.Gather((Float8*)_pyramid.Blue, texels);
+    }
+}
