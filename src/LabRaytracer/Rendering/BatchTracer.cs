@@ -15,6 +15,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     private readonly LightStage<R, F, I> _lights;
     private readonly SecondaryStage<R, F, I> _secondaryStage;
     private readonly SecondaryRays _secondary;
+    private readonly StepNeeds _steps;
     private readonly SurfaceNeeds _needs;
     private readonly PixelSampling? _sampling;
     private readonly AlphaCamera<R, F, I>? _alpha;
@@ -32,7 +33,8 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Capacity = capacity;
         _hits = new HitBatch<R, F, I>(memory, capacity);
         _groups = new HitGroups<R, F, I>(scene, memory, capacity);
-        HasDifferentials = scene.NeedsDifferentials;
+        _steps = FilterView.Is(options.View) ? StepNeeds.Local | StepNeeds.SurfaceGradient : StepNeeds.None;
+        HasDifferentials = scene.NeedsDifferentials || FilterView.Is(options.View);
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, HasDifferentials);
         _secondary = new SecondaryRays(capacity, HasDifferentials);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity, scene.IsSkipping);
@@ -211,7 +213,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
             return;
         }
 
-        StepNeeds steps = HasDifferentials ? material.Steps : StepNeeds.None;
+        StepNeeds steps = HasDifferentials ? material.Steps | _steps : StepNeeds.None;
         SurfaceNeeds stepColumns = (steps & StepNeeds.Normal) != 0 ? SurfaceNeeds.LocalPoint : SurfaceNeeds.None;
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs | stepColumns);
         Counters.Hits += count;

@@ -81,8 +81,7 @@ internal static unsafe class FootprintStage
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        int packets = (count + R.Width - 1) / R.Width;
-        PositionBatch<F> narrow = buffers.Footprints!.Narrow(buffers.Surfaces.Positions, packets);
+        PositionBatch<F> narrow = Narrow(buffers, count);
         for (int set = 0; set < material.Coordinates.Count; set++)
         {
             if (material.NeedsFootprint(set))
@@ -91,6 +90,21 @@ internal static unsafe class FootprintStage
             }
         }
     }
+
+    /// <summary>Footprints of one coordinate set.</summary>
+    /// <param name="set">The set.</param>
+    /// <param name="buffers">Positions and steps of the group; receives the footprints.</param>
+    /// <param name="number">Number of the set.</param>
+    /// <param name="count">How many hits.</param>
+    public static void Map<R, F, I>(in CompiledCoordinates set, ShadingBuffers<R, F, I> buffers, int number, int count)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => Map(set, Narrow(buffers, count), buffers.Surfaces, buffers.Footprints!, number, count);
+
+    private static PositionBatch<F> Narrow<R, F, I>(ShadingBuffers<R, F, I> buffers, int count)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => buffers.Footprints!.Narrow(buffers.Surfaces.Positions, (count + R.Width - 1) / R.Width);
 
     /// <summary>Changes of one coordinate set over the steps on the surfaces.</summary>
     /// <param name="set">The mapping.</param>

@@ -40,4 +40,13 @@ public enum RenderView
 
     /// <summary>Number of samples of each pixel: black 1, blue 4, red 16, yellow 64, white 256 or more. Of interest with <see cref="RenderOptions.ErrorBudget"/>.</summary>
     Samples,
+
+    /// <summary>
+    /// How many texels of the first picture texture of the material (as for <see cref="Texel"/>) a sample covers in its longer direction, n, as colour of the level log2 n:
+    /// white 0, red 1, yellow 2, green 3, cyan 4, blue 5, violet 6 and more; dark grey where the picture is enlarged, grey without a picture texture.
+    /// </summary>
+    Mip,
+
+    /// <summary>How many times as long as wide a sample is on that texture: black 1, blue 4, red 16, yellow 64, white 256 or more; grey without a picture texture.</summary>
+    Stretch,
 }

@@ -13,7 +13,7 @@ internal static unsafe class ViewStage
     public static bool IsColor(RenderView view) => view is RenderView.Color or RenderView.Nan or RenderView.Samples;
 
     /// <summary>Columns of surface points that a view reads.</summary>
-    public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv
+    public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv || FilterView.Is(view)
         ? MappingNeeds
         : SurfaceNeeds.None;
 
@@ -31,6 +31,12 @@ internal static unsafe class ViewStage
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
+        if (FilterView.Is(view))
+        {
+            FilterView.Run(view, material, buffers, count);
+            return;
+        }
+
         if (view == RenderView.Texel)
         {
             TexelView.Run(material, buffers, count);

@@ -11,7 +11,7 @@ internal readonly unsafe struct EwaLevel
 
     /// <param name="pyramid">The levels.</param>
     /// <param name="level">The level, which is there.</param>
-    /// <param name="pictureStart">Element number of the bottom-left texel of level 0, whose rows go up while the store's go down.</param>
+    /// <param name="pictureStart">Element number of the bottom-left texel of a picture that stays packed, whose rows go up while the store's go down.</param>
     /// <param name="wrapU">What lies beyond the columns.</param>
     /// <param name="wrapV">What lies beyond the rows.</param>
     public EwaLevel(MipPyramid pyramid, int level, int pictureStart, TextureWrap wrapU, TextureWrap wrapV)
@@ -21,8 +21,9 @@ internal readonly unsafe struct EwaLevel
         _wrapV = wrapV;
         Width = pyramid.Widths[level];
         Height = pyramid.Heights[level];
-        _start = level == 0 ? pictureStart : pyramid.Starts[level];
-        _stride = level == 0 ? -Width : Width;
+        bool isPacked = level == 0 && !pyramid.HasPicture;
+        _start = isPacked ? pictureStart : pyramid.Starts[level];
+        _stride = isPacked ? -Width : Width;
     }
 
     /// <summary>Columns of the level.</summary>

@@ -56,7 +56,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         places[0] = Place(across, u);
         places[1] = Place(up, v);
         large &= ~R.Bits(across.Outside(u) | up.Outside(v));
-        F* numbers = stackalloc F[5];
+        F* numbers = stackalloc F[6];
         shape.Store(numbers, Pyramid.LevelCount - 1);
         float* n = (float*)numbers;
         int first = packet * F.Width, width = F.Width;
@@ -64,7 +64,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         {
             int lane = System.Numerics.BitOperations.TrailingZeroCount(open);
             int level = (int)n[(3 * width) + lane];
-            Pyramid.Require(level, Threads);
+            Require(level);
             Intensity mean = Mean(level, across.Wrap, up.Wrap, n + lane, width, R.Take(places, lane), R.Take(places + 1, lane));
             float share = n[(4 * width) + lane];
             colors.Put(first + lane, share >= 1 ? mean : Intensity.Lerp(colors.Take(first + lane), mean, share));
@@ -73,24 +73,33 @@ internal sealed unsafe class EwaSampler<TReader>(
         return System.Numerics.BitOperations.PopCount(F.Bits(shape.IsTooLong) & large);
     }
 
+    private void Require(int level)
+    {
+        Pyramid.Require(level, Threads);
+        if (level == 0 && Pyramid.HasPicture)
+        {
+            Pyramid.RequirePicture();
+        }
+    }
+
     /// <summary>The mean over one ellipse.</summary>
     /// <param name="level">The level, which is there.</param>
     /// <param name="wrapU">Wrap of columns.</param>
     /// <param name="wrapV">Wrap of rows.</param>
-    /// <param name="shape">xx, xy and yy of the footprint.</param>
-    /// <param name="stride">Distance of these three.</param>
+    /// <param name="shape">The numbers of the footprint.</param>
+    /// <param name="stride">Distance of these numbers.</param>
     /// <param name="u">Centre, [0, 1].</param>
     /// <param name="v">Centre, [0, 1].</param>
     private Intensity Mean(int level, TextureWrap wrapU, TextureWrap wrapV, float* shape, int stride, double u, double v)
     {
         EwaLevel texels = new(Pyramid, level, Start, wrapU, wrapV);
         float scaleX = texels.Width / (float)Pyramid.Widths[0], scaleY = texels.Height / (float)Pyramid.Heights[0];
-        Ellipse ellipse = new(shape[0] * (scaleX * scaleX), shape[stride] * (scaleX * scaleY), shape[2 * stride] * (scaleY * scaleY));
+        Ellipse ellipse = new(shape[0] * (scaleX * scaleX), shape[stride] * (scaleX * scaleY), shape[2 * stride] * (scaleY * scaleY), shape[5 * stride]);
         double x = (u * texels.Width) - 0.5, y = (v * texels.Height) - 0.5;
-        return level == 0 ? PictureMean(texels, ellipse, x, y) : LevelMean(texels, ellipse, x, y);
+        return level == 0 && !Pyramid.HasPicture ? PictureMean(texels, ellipse, x, y) : LevelMean(texels, ellipse, x, y);
     }
 
-    /// <summary>The mean of texels of a level from 1 on.</summary>
+    /// <summary>The mean of texels of a level that is unpacked.</summary>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
     private Intensity LevelMean(in EwaLevel texels, in Ellipse ellipse, double centerX, double centerY)
@@ -98,10 +107,10 @@ internal sealed unsafe class EwaSampler<TReader>(
         Float8* apart = stackalloc Float8[3];
         float* planeR = Pyramid.Red, planeG = Pyramid.Green, planeB = Pyramid.Blue;
         Float8 red = Float8.Zero, green = Float8.Zero, blue = Float8.Zero, sum = Float8.Zero, fall = Float8.Of(-ellipse.Fall), iota = Float8.Iota(0);
-        int column = (int)Math.Floor(centerX), row = (int)Math.Floor(centerY), limit = texels.Width - Float8.Width;
+        int column = double.ConvertToIntegerNative<int>(Math.Floor(centerX)), row = double.ConvertToIntegerNative<int>(Math.Floor(centerY)), limit = texels.Width - Float8.Width;
         float cx = (float)(centerX - column), cy = (float)(centerY - row);
-        int end = (int)MathF.Floor(cy + ellipse.Height);
-        for (int y = (int)MathF.Ceiling(cy - ellipse.Height); y <= end; y++)
+        int end = float.ConvertToIntegerNative<int>(MathF.Floor(cy + ellipse.Height));
+        for (int y = float.ConvertToIntegerNative<int>(MathF.Ceiling(cy - ellipse.Height)); y <= end; y++)
         {
             float middle = ellipse.Row(y - cy, cx, out float center, out int from, out int to);
             int start = texels.Row(row + y, out int turn);
@@ -133,15 +142,15 @@ internal sealed unsafe class EwaSampler<TReader>(
         return Mean(red, green, blue, sum);
     }
 
-    /// <summary>The mean of texels of the picture.</summary>
+    /// <summary>The mean of texels of a large picture, which stays packed.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private Intensity PictureMean(in EwaLevel texels, in Ellipse ellipse, double centerX, double centerY)
     {
         Float8 red = Float8.Zero, green = Float8.Zero, blue = Float8.Zero, sum = Float8.Zero, fall = Float8.Of(-ellipse.Fall), iota = Float8.Iota(0);
-        int column = (int)Math.Floor(centerX), row = (int)Math.Floor(centerY), limit = texels.Width - Float8.Width;
+        int column = double.ConvertToIntegerNative<int>(Math.Floor(centerX)), row = double.ConvertToIntegerNative<int>(Math.Floor(centerY)), limit = texels.Width - Float8.Width;
         float cx = (float)(centerX - column), cy = (float)(centerY - row);
-        int end = (int)MathF.Floor(cy + ellipse.Height);
-        for (int y = (int)MathF.Ceiling(cy - ellipse.Height); y <= end; y++)
+        int end = float.ConvertToIntegerNative<int>(MathF.Floor(cy + ellipse.Height));
+        for (int y = float.ConvertToIntegerNative<int>(MathF.Ceiling(cy - ellipse.Height)); y <= end; y++)
         {
             float middle = ellipse.Row(y - cy, cx, out float center, out int from, out int to);
             int start = texels.Row(row + y, out int turn);
@@ -163,24 +172,29 @@ internal sealed unsafe class EwaSampler<TReader>(
         return Mean(red, green, blue, sum);
     }
 
+    /// <summary>The mean from eight sums of each; added up in the same order on every machine.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Intensity Mean(Float8 red, Float8 green, Float8 blue, Float8 weight)
     {
-        float toMean = 1 / Sum(weight);
-        return new Intensity(Sum(red) * toMean, Sum(green) * toMean, Sum(blue) * toMean);
+        Float4* halves = stackalloc Float4[4];
+        halves[0] = Float8.Lower(red) + Float8.Upper(red);
+        halves[1] = Float8.Lower(green) + Float8.Upper(green);
+        halves[2] = Float8.Lower(blue) + Float8.Upper(blue);
+        halves[3] = Float8.Lower(weight) + Float8.Upper(weight);
+        float* n = (float*)halves;
+        float toMean = 1 / Sum(n + 12);
+        return new Intensity(Sum(n) * toMean, Sum(n + 4) * toMean, Sum(n + 8) * toMean);
     }
 
-    /// <summary>Sum of eight numbers, always in the same order.</summary>
-    private static float Sum(Float8 lanes)
-    {
-        float* n = (float*)&lanes;
-        return ((n[0] + n[4]) + (n[2] + n[6])) + ((n[1] + n[5]) + (n[3] + n[7]));
-    }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float Sum(float* four) => (four[0] + four[2]) + (four[1] + four[3]);
 
     /// <summary>Footprints of one group of lanes, texels of the picture.</summary>
     private readonly struct Shape<F>
         where F : unmanaged, IReal<F>
     {
-        private readonly F _xx, _xy, _yy, _shorter;
+        private readonly F _xx, _xy, _yy, _shorter, _least;
 
         public Shape(in FootprintColumns footprints, in TexelAxis across, in TexelAxis up, int packet)
         {
@@ -196,7 +210,8 @@ internal sealed unsafe class EwaSampler<TReader>(
             Longer = F.Fma(_xx + _yy, F.Of(0.5), F.Sqrt(F.Fma(half, half, _xy * _xy)));
             F shorter = area * area / Longer, least = Longer * F.Of(1.0 / (MaxAnisotropy * MaxAnisotropy));
             IsTooLong = F.Less(shorter, least) & F.Less(F.Of(4), least);
-            _shorter = F.Max(F.Max(shorter, least), F.Of(1));
+            _shorter = shorter;
+            _least = F.Max(F.Max(shorter, least), F.Of(1));
         }
 
         /// <summary>Square of the longer side; anything for footprints that are no numbers.</summary>
@@ -205,16 +220,19 @@ internal sealed unsafe class EwaSampler<TReader>(
         /// <summary>Mask of lanes whose level is higher than their shorter side asks for.</summary>
         public F IsTooLong { get; }
 
-        /// <summary>Writes xx, xy, yy, the level, and how much of the result is the average.</summary>
+        /// <summary>Writes xx, xy, yy, the level, how much of the result is the average, and the square of the shorter side in texels of the level.</summary>
         public void Store(F* numbers, int last)
         {
             numbers[0] = _xx;
             numbers[1] = _xy;
             numbers[2] = _yy;
-            numbers[3] = F.Min(F.Floor(F.Exponent(_shorter) * F.Of(0.5)), F.Of(last));
+            F level = F.Min(F.Floor(F.Exponent(_least) * F.Of(0.5)), F.Of(last));
+            numbers[3] = level;
             numbers[4] = F.Min((Longer - F.Of(1)) * F.Of(1.0 / 3), F.Of(1));
+            numbers[5] = _shorter * F.PowerOfTwo(F.Of(-2) * level);
         }
 
-        private static F Within(F step, F size) => F.Min(F.Max(step, -size), size);
+        /// <summary>A step no longer than the picture; what is not a number stays so.</summary>
+        private static F Within(F step, F size) => F.Min(size, F.Max(-size, step));
     }
 }

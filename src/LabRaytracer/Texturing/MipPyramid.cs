@@ -4,7 +4,7 @@ namespace LabRaytracer;
 
 /// <summary>Smaller and smaller versions of a picture in linear light, each half as large as the one before (Williams, "Pyramidal parametrics", 1983).</summary>
 /// <remarks>
-/// <para>Level 0 is the picture itself and stays packed. Level k + 1 is made of level k by <see cref="MipReduction"/>, the first time that somebody asks for it;
+/// <para>Level 0 is the picture itself and stays packed; of a small one there is an unpacked copy too, once somebody asks for it. Level k + 1 is made of level k by <see cref="MipReduction"/>, the first time that somebody asks for it;
 /// a level has the same bits whoever builds it. 12 bytes a texel, a third of the picture's texels in all; memory of levels that nobody asks for is not touched.</para>
 /// <para>Thread safe.</para>
 /// </remarks>
@@ -13,11 +13,15 @@ internal sealed unsafe class MipPyramid
     /// <summary>Texels of a level from which several threads build it.</summary>
     private const int ParallelTexels = 1 << 14;
 
+    /// <summary>Most texels of a picture that is unpacked: 12 megabytes.</summary>
+    private const int UnpackedTexels = 1 << 20;
+
     private readonly TexelRows _picture;
     private readonly Lock _building = new();
     private readonly LaneMemory _memory = new();
     private readonly float* _block;
     private int _built;
+    private bool _isUnpacked;
 
     /// <param name="picture">The picture, linear light.</param>
     public MipPyramid(TexelRows picture)
@@ -33,13 +37,14 @@ internal sealed unsafe class MipPyramid
         Widths = _memory.Column<int>(count, 1);
         Heights = _memory.Column<int>(count, 1);
         Starts = _memory.Column<int>(count, 1);
+        HasPicture = (long)width * height <= UnpackedTexels;
         long texels = 0;
         for (int level = 0; level < count; level++)
         {
             Widths[level] = width;
             Heights[level] = height;
             Starts[level] = (int)texels;
-            texels += level == 0 ? 0 : (long)width * height;
+            texels += level == 0 && !HasPicture ? 0 : (long)width * height;
             width = MipReduction.Half(width);
             height = MipReduction.Half(height);
         }
@@ -67,16 +72,21 @@ internal sealed unsafe class MipPyramid
     /// <summary>Rows of each level.</summary>
     public int* Heights { get; }
 
-    /// <summary>Where each level from 1 on starts in <see cref="Red"/>, <see cref="Green"/> and <see cref="Blue"/>: its bottom row first.</summary>
+    /// <summary>Tells whether the picture is small enough to be unpacked.</summary>
+    public bool HasPicture { get; }
+
+    /// <summary>
+    /// Where each level starts in <see cref="Red"/>, <see cref="Green"/> and <see cref="Blue"/>: its bottom row first. Level 0 only if <see cref="HasPicture"/>.
+    /// </summary>
     public int* Starts { get; }
 
-    /// <summary>Red of all levels from 1 on.</summary>
+    /// <summary>Red of all levels.</summary>
     public float* Red { get; }
 
-    /// <summary>Green of all levels from 1 on.</summary>
+    /// <summary>Green of all levels.</summary>
     public float* Green { get; }
 
-    /// <summary>Blue of all levels from 1 on.</summary>
+    /// <summary>Blue of all levels.</summary>
     public float* Blue { get; }
 
     /// <summary>Number of the highest level that is there.</summary>
@@ -99,6 +109,26 @@ internal sealed unsafe class MipPyramid
                 Build(_built + 1, threads);
                 Volatile.Write(ref _built, _built + 1);
             }
+        }
+    }
+
+    /// <summary>Unpacks the picture, which must be small enough.</summary>
+    public void RequirePicture()
+    {
+        if (Volatile.Read(ref _isUnpacked))
+        {
+            return;
+        }
+
+        lock (_building)
+        {
+            for (int y = 0; !_isUnpacked && y < Heights[0]; y++)
+            {
+                long at = (long)y * Widths[0];
+                _picture.Read(y, Red + at, Green + at, Blue + at);
+            }
+
+            Volatile.Write(ref _isUnpacked, true);
         }
     }
 

@@ -48,7 +48,7 @@ internal abstract unsafe class MipSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>;
 
-    /// <summary>Bilinear colours of the groups of lanes in which some size is below a limit.</summary>
+    /// <summary>Bilinear colours of the groups of lanes in which some size is not above a limit, or no number.</summary>
     protected void Enlarge<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, F* sizes, double limit, int packets)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
@@ -57,7 +57,7 @@ internal abstract unsafe class MipSampler<TReader>(
         for (int first = 0; first < packets;)
         {
             int end = first;
-            while (end < packets && F.Any(F.Less(sizes[end], F.Of(limit))))
+            while (end < packets && F.Any(~F.LessOrEqual(F.Of(limit), sizes[end])))
             {
                 end++;
             }
