@@ -92,7 +92,7 @@ public sealed class RenderVerbTests
     [InlineData("--samples", "many", "1 to 65536")]
     [InlineData("--threads", "0", "1 to 1024")]
     [InlineData("--precision", "doubble", "did you mean 'double'")]
-    [InlineData("--filter", "trilinear", "nearest, bilinear")]
+    [InlineData("--filter", "blurred", "nearest, bilinear")]
     [InlineData("--view", "norml", "did you mean 'normal'")]
     [InlineData("--crop", "0,0,33,1", "inside")]
     [InlineData("--crop", "0,0", "X,Y,W,H")]
