@@ -81,12 +81,6 @@ internal static unsafe class SamplerRun
     /// <summary>The same for any lookups that share their wraps.</summary>
     public static void SameAsScalar(ITexture texture, TextureLookup[] lookups)
     {
-        SameAsScalar(texture, Lookups(wrapU, wrapV));
-    }
-
-    /// <summary>The same for given lookups, which share their wraps.</summary>
-    public static void SameAsScalar(ITexture texture, TextureLookup[] lookups)
-    {
         TextureSampler sampler = ((IPreparedTexture)texture).Prepare(TextureUse.Color, filter: null);
         Intensity[] expected = [.. lookups.Select(lookup => texture.Sample(lookup))];
         Same(expected, Sample<Double1, Float1, Int1>(sampler, lookups), lookups);
