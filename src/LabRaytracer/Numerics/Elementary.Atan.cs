@@ -119,8 +119,8 @@ internal static partial class Elementary
         T onAxis = T.Equal(larger, T.Zero);
         T scale = AzimuthScale(larger);
 
-        // So near the half plane of azimuth 0 that the angle is proportional to the quotient: a larger quotient keeps its remainder.
-        T ahead = T.Less(smaller, larger * Power<T>(-60, -600)) & T.Less(T.Abs(x), T.Abs(z)) & T.Less(T.Zero, z) & T.LessOrEqual(T.Zero, x);
+        // So near the half plane of azimuth 0 that the angle is proportional to the quotient: a larger quotient keeps its remainder. No ordinary point is that near.
+        T ahead = T.Less(smaller, larger * Power<T>(-100, -600)) & T.Less(T.Abs(x), T.Abs(z)) & T.Less(T.Zero, z) & T.LessOrEqual(T.Zero, x);
         T smallerScale = T.Select(ahead, scale * Power<T>(46, 500), scale);
         T azimuth = Azimuth(x, z, smaller * smallerScale, T.Select(onAxis, T.Of(1), larger * scale));
         azimuth = T.Select(ahead, azimuth * Power<T>(-46, -500), azimuth);

@@ -12,7 +12,7 @@ internal static partial class Elementary
     private static T AzimuthScale<T>(T larger)
         where T : unmanaged, IReal<T>
     {
-        T scale = T.Select(T.Less(larger, Power<T>(-20, -200)), Power<T>(60, 400), T.Of(1));
+        T scale = T.Select(T.Less(larger, Power<T>(20, -200)), Power<T>(60, 400), T.Of(1));
         return T.Select(T.Less(Power<T>(60, 900), larger), Power<T>(-60, -300), scale);
     }
 

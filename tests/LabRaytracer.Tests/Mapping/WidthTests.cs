@@ -86,6 +86,9 @@ public sealed class WidthTests
         [
             0.0, -0.0, 1, -1, 0.5, 1e-320, -1e-320, 1e-300, -1e-300, 1e-45, 1e-38, -1e-20, 1e19, 1e38, 1e155, -1e300,
             double.MaxValue, double.PositiveInfinity, double.NegativeInfinity, double.NaN, Math.BitIncrement(1), 0.41421356237309503,
+
+            // Beside the limits below and above which points are scaled.
+            3.048087173287972e-12, 4796727, 1.3e-60, 2.5e120,
         ];
         var points = new List<SurfacePosition>();
         double Next() => (2 * random.NextDouble()) - 1;

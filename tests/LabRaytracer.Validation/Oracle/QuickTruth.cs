@@ -106,6 +106,17 @@ internal static class QuickTruth
         return IsWhole(x) && IsWhole(z);
     }
 
+    /// <summary>(u, v) of the box mapping on the face whose normal is (z, x, y).</summary>
+    /// <returns>False if the numbers are out of the range of the quick form.</returns>
+    public static bool TryBox(double x, double y, double z, out Pair u, out Pair v)
+    {
+        double ax = Math.Abs(x), ay = Math.Abs(y), az = Math.Abs(z);
+        bool isOnX = az >= ax && az >= ay, isOnY = !isOnX && ax >= ay;
+        double right = isOnX ? (z < 0 ? z : -z) : isOnY || y >= 0 ? x : -x, up = isOnY ? (x < 0 ? z : -z) : y;
+        (u, v) = (Pair.Sum(right, 1).Scaled(-1), Pair.Sum(up, 1).Scaled(-1));
+        return IsWhole(x) && IsWhole(y) && IsWhole(z);
+    }
+
     /// <summary>False for subnormal numbers, whose scaling would have to be looked at.</summary>
     private static bool IsWhole(double a) => a == 0 || Math.Abs(a) >= 1e-300;
 

@@ -20,7 +20,8 @@ internal sealed unsafe class MappingSweep(StressOptions options)
         Both("spherical", new SphericalMapping(), Truth.Sphere, QuickTruth.TrySphere, 2600, 1, 1)
             .Concat(Both("cylindrical", new CylindricalMapping(), (x, y, z) => (Truth.Atan2Turns(x, z), (y + 1) * 0.5), QuickTruth.TryCylinder, 100, 1, 0.5))
             .Concat(Both("disk", new DiskMapping(), (x, _, z) => (Truth.Atan2Turns(x, z), Truth.Hypotenuse(x, z)), QuickTruth.TryDisk, 100, 1, 1))
-            .Concat(Both("rectangular", new RectangularMapping(), (x, _, z) => ((z + 1) * 0.5, (x + 1) * 0.5), QuickTruth.TryRectangle, 100, 0.5, 0.5));
+            .Concat(Both("rectangular", new RectangularMapping(), (x, _, z) => ((z + 1) * 0.5, (x + 1) * 0.5), QuickTruth.TryRectangle, 100, 0.5, 0.5))
+            .Concat(Both("box", new BoxMapping(), (x, y, z) => (Half(Right(x, y, z)), Half(Up(x, y, z))), QuickTruth.TryBox, 100, 0.5, 0.5));
 
     private IEnumerable<StressRow> Both(string name, IWideMapping mapping, Exact exact, Quick quick, int parts, double boundU, double boundV)
     {
@@ -45,7 +46,7 @@ internal sealed unsafe class MappingSweep(StressOptions options)
         {
             Worst[] own = [.. worst.Select(line => line.Part())];
             Point3D[] points = MappingPoints.Create(Draws.Of(options.Seed, name + format, part), PointsPerPart, R.IsSingle);
-            TextureCoordinate[] found = Map<R>(mapping, points), single = R.IsSingle ? Map<Float1>(mapping, points) : [.. points.Select(p => mapping.Map(new SurfacePosition(p, default, default)))];
+            TextureCoordinate[] found = Map<R>(mapping, points), single = R.IsSingle ? Map<Float1>(mapping, points) : [.. points.Select(p => mapping.Map(new SurfacePosition(p, Normal(p), default)))];
             for (int i = 0; i < points.Length; i++)
             {
                 own[4].Count(Same(found[i], single[i]), $"{points[i]}: {found[i]} in a batch, {single[i]} alone");
@@ -68,7 +69,7 @@ internal sealed unsafe class MappingSweep(StressOptions options)
     private static void Note<R>(IWideMapping mapping, Point3D p, TextureCoordinate c, Exact exact, Quick quick, Worst[] worst)
         where R : unmanaged, IReal<R>
     {
-        bool isAngle = mapping is not RectangularMapping, isBounded = mapping is SphericalMapping, isOrdinary = IsOrdinary<R>(p.X) && IsOrdinary<R>(p.Y) && IsOrdinary<R>(p.Z);
+        bool isAngle = mapping is not (RectangularMapping or BoxMapping), isBounded = mapping is SphericalMapping, isOrdinary = IsOrdinary<R>(p.X) && IsOrdinary<R>(p.Y) && IsOrdinary<R>(p.Z);
         Worst u = isOrdinary && IsOrdinary<R>(c.U) ? worst[0] : worst[2], v = isOrdinary && IsOrdinary<R>(c.V) ? worst[1] : worst[2];
         double errorU = 0, errorV = 0, awayU = 0;
         bool isSure = quick(p.X, p.Y, p.Z, out Pair quickU, out Pair quickV) && (!isAngle || quickU.High < 0.9999);
@@ -114,15 +115,34 @@ internal sealed unsafe class MappingSweep(StressOptions options)
         where R : unmanaged, IReal<R>
     {
         using Column<R> x = new(points.Length), y = new(points.Length), z = new(points.Length), u = new(points.Length), v = new(points.Length);
+        using Column<R> normalX = new(points.Length), normalY = new(points.Length), normalZ = new(points.Length);
         for (int i = 0; i < points.Length; i++)
         {
             (x[i], y[i], z[i]) = (points[i].X, points[i].Y, points[i].Z);
+            Vector3D normal = Normal(points[i]);
+            (normalX[i], normalY[i], normalZ[i]) = (normal.X, normal.Y, normal.Z);
         }
 
-        PositionBatch<R> positions = new() { X = x.Lanes, Y = y.Lanes, Z = z.Lanes };
+        PositionBatch<R> positions = new()
+        {
+            X = x.Lanes, Y = y.Lanes, Z = z.Lanes, NormalX = normalX.Lanes, NormalY = normalY.Lanes, NormalZ = normalZ.Lanes,
+        };
         mapping.Map(positions, new CoordinateBatch<R> { U = u.Lanes, V = v.Lanes }, (points.Length + R.Width - 1) / R.Width);
         return [.. Enumerable.Range(0, points.Length).Select(i => new TextureCoordinate(u[i], v[i]))];
     }
+
+    private static Real Half(Real a) => (a + 1) * 0.5;
+
+    /// <summary>What runs to the right on a point's face of the box, whose normal is (z, x, y): x before y before z among equals.</summary>
+    private static Real Right(Real x, Real y, Real z) => IsOnX(x, y, z) ? z.Sign < 0 ? z : -z : Real.Abs(x) >= Real.Abs(y) || y.Sign >= 0 ? x : -x;
+
+    /// <summary>What runs upwards there.</summary>
+    private static Real Up(Real x, Real y, Real z) => IsOnX(x, y, z) || Real.Abs(x) < Real.Abs(y) ? y : x.Sign < 0 ? z : -z;
+
+    private static bool IsOnX(Real x, Real y, Real z) => Real.Abs(z) >= Real.Abs(x) && Real.Abs(z) >= Real.Abs(y);
+
+    /// <summary>A direction that says which face of the box a point belongs to; any will do.</summary>
+    private static Vector3D Normal(Point3D p) => new(p.Z, p.X, p.Y);
 
     private static bool Same(TextureCoordinate a, TextureCoordinate b) =>
         BitConverter.DoubleToInt64Bits(a.U) == BitConverter.DoubleToInt64Bits(b.U) && BitConverter.DoubleToInt64Bits(a.V) == BitConverter.DoubleToInt64Bits(b.V);
