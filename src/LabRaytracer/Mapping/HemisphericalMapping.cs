@@ -5,7 +5,8 @@ namespace LabRaytracer;
 /// <summary>The upper half of the sphere around the origin on the whole picture; the lower half shows the bottom edge.</summary>
 /// <remarks>
 /// <para>u = phi / 2 pi with phi = atan2(x, z), v = 1 - theta / (pi / 2) with theta = atan2(sqrt(x² + z²), y), 0 for y below 0: a sky dome.</para>
-/// <para>u in [0, 1), v in [0, 1]; u within 1 ulp, v within 2. u = 0 on the axis, (0, 0) at the origin. The length of (x, y, z) does not matter. The seam u = 0 is the half
+/// <para>u in [0, 1), v in [0, 1]; u within 1 ulp, v within 2 (6 below 1e-300, where it is four times a rounded
+/// subnormal number). u = 0 on the axis, (0, 0) at the origin. The length of (x, y, z) does not matter. The seam u = 0 is the half
 /// meridian x = 0, z &gt; 0. A picture of aspect 4:1 fits.</para>
 /// <para>The gradients are those of <see cref="SphericalMapping"/>, that of v doubled on the upper half and 0 below.</para>
 /// <list type="table">

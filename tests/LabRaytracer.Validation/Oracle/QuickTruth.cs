@@ -106,6 +106,18 @@ internal static class QuickTruth
         return IsWhole(x) && IsWhole(z);
     }
 
+    /// <summary>(u, v) of the hemispherical mapping.</summary>
+    /// <returns>False if the numbers are out of the range of the quick form.</returns>
+    public static bool TryHemisphere(double x, double y, double z, out Pair u, out Pair v)
+    {
+        bool isSure = TrySphere(x, y > 0 ? y : 0, z, out u, out _);
+        Pair radius = Hypotenuse(x, z, out int power);
+        v = 0;
+        isSure = isSure && (y <= 0 || TryAtan2Turns(Math.ScaleB(y, -power), radius, out v));
+        v = v.Scaled(2);
+        return isSure;
+    }
+
     /// <summary>(u, v) of the box mapping on the face whose normal is (z, x, y).</summary>
     /// <returns>False if the numbers are out of the range of the quick form.</returns>
     public static bool TryBox(double x, double y, double z, out Pair u, out Pair v)
