@@ -5,7 +5,7 @@ namespace LabRaytracer.PublicApi.Tests;
 /// <summary>What the documents name is there.</summary>
 public sealed partial class DocumentTests
 {
-    public static TheoryData<string> Documents => ["README.md", "docs/errata.md", "docs/extending.md", "docs/scene-format.md", "samples/Exercises/README.md", "CHANGELOG.md"];
+    public static TheoryData<string> Documents => ["README.md", "docs/errata.md", "docs/extending.md", "docs/filtering.md", "docs/scene-format.md", "samples/Exercises/README.md", "CHANGELOG.md"];
 
     [Theory]
     [MemberData(nameof(Documents))]
