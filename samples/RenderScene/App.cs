@@ -40,6 +40,7 @@ internal static class App
             SchemaVerb.Create(console),
             BenchDataVerb.Create(console, stop),
             DrawTexturesVerb.Create(console),
+            FrontierVerb.Create(console, stop),
             StressVerb.Create(console, stop),
             VersionVerb.Create(console),
         };

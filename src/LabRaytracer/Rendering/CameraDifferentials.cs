@@ -8,13 +8,14 @@ internal static unsafe class CameraDifferentials
     /// <param name="rays">Its rays.</param>
     /// <param name="x">Horizontal positions on the picture, pixels.</param>
     /// <param name="y">Vertical positions on the picture, pixels.</param>
-    /// <param name="options">Size of the picture, number of samples.</param>
-    public static void Set<R, F, I>(Camera camera, RayBatch<R, F, I> rays, R* x, R* y, RenderOptions options)
+    /// <param name="options">Size of the picture.</param>
+    /// <param name="samples">Samples of a pixel.</param>
+    public static void Set<R, F, I>(Camera camera, RayBatch<R, F, I> rays, R* x, R* y, RenderOptions options, int samples)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        double spacing = 1 / Math.Sqrt(options.FirstSamples);
+        double spacing = 1 / Math.Sqrt(samples);
         if (camera is IWideCamera wide)
         {
             rays.Narrow();

@@ -7,6 +7,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     private readonly PixelEstimates? _estimates;
     private readonly PixelSlot[] _slots = [];
     private readonly List<(int X, int Y)> _chosen = [];
+    private readonly int[] _chosenCounts = new int[Pixels];
     private int _slotCount;
 
     /// <summary>Samples every pixel, then those with the largest errors again, until the tile's error meets the budget.</summary>
@@ -22,12 +23,12 @@ internal sealed unsafe partial class TileWorker<R, F, I>
                 (int px, int py) = Place(i);
                 if (px < width && py < height)
                 {
-                    AddSlot(estimates, x, y, new PixelSlot(px, py, sample));
+                    AddSlot(estimates, x, y, new PixelSlot(px, py, sample), _options.FirstSamples);
                 }
             }
         }
 
-        TraceSlots(estimates, x, y);
+        TraceSlots(estimates, x, y, _options.FirstSamples);
         double error = _options.HasBudget ? Refine(estimates, x, y, width * height) : 0;
         for (int row = 0; row < height; row++)
         {
@@ -55,31 +56,49 @@ internal sealed unsafe partial class TileWorker<R, F, I>
 
             foreach ((int px, int py) in _chosen)
             {
-                int count = estimates.Count(px, py);
-                for (int sample = count; sample < 2 * count; sample++)
-                {
-                    AddSlot(estimates, x, y, new PixelSlot(px, py, sample));
-                }
+                _chosenCounts[(py * Side) + px] = estimates.Count(px, py);
             }
 
-            TraceSlots(estimates, x, y);
+            for (int count = _options.FirstSamples; 2 * count <= _options.MaxSamples; count *= 2)
+            {
+                Double(estimates, x, y, count);
+            }
+
             error = estimates.SquaredError();
         }
 
         return error;
     }
 
-    private void AddSlot(PixelEstimates estimates, int x, int y, PixelSlot slot)
+    /// <summary>Doubles the samples of those chosen pixels that have a certain number; the footprints of the new ones are smaller, as there are more.</summary>
+    private void Double(PixelEstimates estimates, int x, int y, int count)
+    {
+        foreach ((int px, int py) in _chosen)
+        {
+            for (int sample = count; sample < 2 * count && _chosenCounts[(py * Side) + px] == count; sample++)
+            {
+                AddSlot(estimates, x, y, new PixelSlot(px, py, sample), 2 * count);
+            }
+        }
+
+        TraceSlots(estimates, x, y, 2 * count);
+    }
+
+    private void AddSlot(PixelEstimates estimates, int x, int y, PixelSlot slot, int samples)
     {
         _slots[_slotCount++] = slot;
         if (_slotCount == Pixels)
         {
-            TraceSlots(estimates, x, y);
+            TraceSlots(estimates, x, y, samples);
         }
     }
 
     /// <summary>Traces the samples that have been collected.</summary>
-    private void TraceSlots(PixelEstimates estimates, int x, int y)
+    /// <param name="estimates">Receives their light.</param>
+    /// <param name="x">Column of the tile.</param>
+    /// <param name="y">Row of the tile.</param>
+    /// <param name="samples">Samples that their pixels are about to have.</param>
+    private void TraceSlots(PixelEstimates estimates, int x, int y, int samples)
     {
         for (int i = 0; i < _slotCount; i++)
         {
@@ -96,7 +115,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         _rays.Count = _slotCount;
         if (_slotCount > 0)
         {
-            AimCamera();
+            AimCamera(samples);
             _rays.PadTail();
             Counters.Charge(RenderStage.Camera);
             TracePrimary();

@@ -168,7 +168,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private void AimSamples(int x, int y)
     {
         _rays.Count = Pixels;
-        AimCamera();
+        AimCamera(_options.Samples);
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
@@ -177,13 +177,14 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         }
     }
 
-    private void AimCamera()
+    /// <param name="samples">Samples of a pixel; their footprints share it.</param>
+    private void AimCamera(int samples)
     {
         AimRays();
         _lens?.Run(_rays, _sampleX, _sampleY, _options);
         if (_rays.HasDifferentials)
         {
-            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options);
+            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options, samples);
         }
     }
 

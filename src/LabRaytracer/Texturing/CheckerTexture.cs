@@ -81,8 +81,10 @@ public sealed class CheckerTexture : IPreparedTexture
         return Double1.Any(IsOdd(sum)) ? Odd : Even;
     }
 
+    TextureNeeds IPreparedTexture.NeedsUnder(TextureFilter? filter) => filter == TextureFilter.Nearest ? Needs & ~TextureNeeds.Footprint : Needs;
+
     TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
-        Filter == PatternFilter.Area ? new CheckerAreaSampler(this) : new Sampler(this);
+        Filter == PatternFilter.Area && filter != TextureFilter.Nearest ? new CheckerAreaSampler(this) : new Sampler(this);
 
     /// <summary>Number of the cell along one axis of the volume; a point exactly on a boundary belongs to the side its normal points away from.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

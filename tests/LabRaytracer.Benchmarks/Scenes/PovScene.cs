@@ -6,7 +6,7 @@ namespace LabRaytracer.Benchmarks;
 /// <remarks>
 /// The camera's "right" points to -x, which makes POV-Ray's world right-handed. POV-Ray's pictures are turned by matrices so that they lie where the sheet's mappings put them.
 /// </remarks>
-internal sealed class PovScene(TextWriter text, string folder)
+internal sealed class PovScene(TextWriter text, string folder, string? interpolate)
 {
     // A sphere's picture: POV-Ray measures the azimuth from x towards z, the sheet from z towards x.
     private const string SwapXZ = "matrix <0,0,1, 0,1,0, 1,0,0, 0,0,0>";
@@ -15,14 +15,23 @@ internal sealed class PovScene(TextWriter text, string folder)
     private const string FloorFrame = "matrix <0,0,2, 2,0,0, 0,2,0, -1,0,-1>";
 
     /// <summary>Writes a scene file and what it includes.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="folder">Folder of the file.</param>
+    /// <param name="name">Its name without extension.</param>
+    /// <param name="width">Width of the picture, pixels.</param>
+    /// <param name="height">Height of the picture, pixels.</param>
+    /// <param name="interpolate">Interpolation of pictures; null: as the textures' filters ask.</param>
     /// <returns>Path of the file.</returns>
-    public static string Write(LoadedScene scene, string folder, string name, int width, int height)
+    public static string Write(LoadedScene scene, string folder, string name, int width, int height, string? interpolate = null)
     {
         string path = Path.Combine(folder, $"{name}.pov");
         using StreamWriter text = new(path);
-        new PovScene(text, folder).Write(scene.Scene, name, (double)width / height);
+        new PovScene(text, folder, interpolate).Write(scene.Scene, name, (double)width / height);
         return path;
     }
+
+    /// <summary>Tells whether a scene's textures are pictures, which POV-Ray can show too.</summary>
+    public static bool CanWrite(Scene scene) => scene.Objects.All(item => (item.Material.Diffuse.Texture ?? item.Material.Ambient?.Texture) is Texture);
 
     private void Write(Scene scene, string name, double aspect)
     {
@@ -71,8 +80,8 @@ internal sealed class PovScene(TextWriter text, string folder)
     {
         TextureSlot ambient = material.Ambient ?? material.Diffuse;
         Texture? picture = (Texture?)(material.Diffuse.Texture ?? ambient.Texture);
-        string interpolate = picture?.Sampling.Filter == TextureFilter.Bilinear ? "interpolate 2" : "";
-        string image = $"image_map {{ png \"{picture?.Path}\" gamma 1.0 map_type {mapType ?? "0"} {interpolate} }}";
+        string between = interpolate ?? (picture?.Sampling.Filter == TextureFilter.Bilinear ? "interpolate 2" : "");
+        string image = $"image_map {{ png \"{picture?.Path}\" gamma 1.0 map_type {mapType ?? "0"} {between} }}";
         string pigment = picture is null ? "rgb <1,1,1>" : image;
         Line($"  {(mapType is null ? "texture { uv_mapping" : "texture {")} pigment {{ {pigment} }}");
         Line($"  finish {{ ambient rgb {Of(ambient.Value)} diffuse {material.Diffuse.Value.R} specular 0 phong 0 reflection {{ rgb {Of(material.Reflection.Value)} }} }} {place} }}");
