@@ -38,7 +38,7 @@ internal static class SettingsFormats
     private static readonly Key<double> s_exposure = Key.Optional("exposureStops", new NumberFormat { Min = -64, Max = 64 }, 0, "Light is multiplied by 2 to this power.");
 
     private static readonly Key<ToneOperator> s_tone = Key.Optional(
-        "toneMapping", ChoiceFormat.Of<ToneOperator>(), ToneOperator.Clamp, "How light above display white is brought into range: cut, or x / (1 + x).");
+        "toneMapping", ChoiceFormat.Of<ToneOperator>(), ToneOperator.Clamp, "How light above display white is brought into range: cut, x / (1 + x), or a fit of the filmic ACES curve.");
 
     private static readonly Key<int> s_bitDepth = Key.Optional("bitDepth", new IntegerFormat(8, 16), 8, "Bits a component: 8 or 16.");
 

@@ -54,6 +54,13 @@ public sealed class ToneMapping
             return float.IsPositiveInfinity(exposed) ? 1 : exposed / (1 + exposed);
         }
 
+        if (Operator == ToneOperator.Aces)
+        {
+            // Above 1000 the curve is cut anyway; squares of larger numbers would overflow.
+            double x = Math.Min(exposed, 1000);
+            return (float)Math.Min(1, x * ((2.51 * x) + 0.03) / ((x * ((2.43 * x) + 0.59)) + 0.14));
+        }
+
         return exposed > 1 ? 1 : exposed;
     }
 }

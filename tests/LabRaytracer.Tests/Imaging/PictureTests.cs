@@ -115,6 +115,18 @@ public sealed class PictureTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new ToneMapping { Exposure = double.NaN });
     }
 
+    // The quotient in exact arithmetic.
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(0.1f, 0.12583968021036654)]
+    [InlineData(0.5f, 0.6163069544364509)]
+    [InlineData(1, 0.80379746835443038)]
+    [InlineData(7.5f, 1)]
+    [InlineData(float.PositiveInfinity, 1)]
+    [InlineData(float.NaN, 0)]
+    public void ToneMapping_Aces_IsTheFittedQuotient(float light, double expected) =>
+        Assert.Equal(expected, new ToneMapping { Operator = ToneOperator.Aces }.Apply(light), 1e-7);
+
     [Theory]
     [InlineData("")]
     [InlineData(" a")]
