@@ -28,7 +28,8 @@ internal sealed class BenchData
     {
         string folder = Path.GetDirectoryName(Path.GetFullPath(scenePath)) ?? "";
         string data = Path.Combine(folder, "data");
-        if (Path.GetFileName(folder) == "bench" && File.Exists(scenePath) && Files.FirstOrDefault(name => !File.Exists(Path.Combine(data, name))) is { } missing)
+        bool isUser = Path.GetFileName(folder) == "bench" && File.Exists(scenePath) && File.ReadAllText(scenePath).Contains("\"data/", StringComparison.Ordinal);
+        if (isUser && Files.FirstOrDefault(name => !File.Exists(Path.Combine(data, name))) is { } missing)
         {
             string relative = Path.GetRelativePath(Directory.GetCurrentDirectory(), data);
             throw new InputException($"{scenePath} needs generated files, and '{Path.Combine(relative, missing)}' is missing; make them first with: bench-data {relative}");
