@@ -65,7 +65,7 @@ internal static class PictureOutput
     /// <summary>The same options with texts that go into the file.</summary>
     public static PictureSaveOptions WithText(PictureSaveOptions options, params IReadOnlyList<KeyValuePair<string, string>> text) => new()
     {
-        Encoding = options.Encoding, BitDepth = options.BitDepth, ToneMapping = options.ToneMapping, PngCompression = options.PngCompression, Text = text,
+        Encoding = options.Encoding, BitDepth = options.BitDepth, ToneMapping = options.ToneMapping, Dithering = options.Dithering, PngCompression = options.PngCompression, Text = text,
     };
 
     /// <summary>What a picture says about its own making: enough to make it again.</summary>

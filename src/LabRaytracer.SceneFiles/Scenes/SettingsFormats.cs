@@ -42,6 +42,9 @@ internal static class SettingsFormats
 
     private static readonly Key<int> s_bitDepth = Key.Optional("bitDepth", new IntegerFormat(8, 16), 8, "Bits a component: 8 or 16.");
 
+    private static readonly Key<Dithering> s_dither = Key.Optional(
+        "dither", ChoiceFormat.Of<Dithering>(), Dithering.None, "Whether smooth light is broken up by an 8 x 8 pattern where it is rounded to 8 bits: no bands in gradients.");
+
     private static readonly Key<string> s_file = Key.Optional("file", TextFormat.Instance, "Name of the written picture, without folders; the extension tells the format.");
 
     /// <summary>How the scene is rendered.</summary>
@@ -50,7 +53,7 @@ internal static class SettingsFormats
 
     /// <summary>How the picture is written.</summary>
     public static ObjectFormat<SceneOutput> Output { get; } = new(
-        "output", "How the picture is written.", [s_file, s_encoding, s_exposure, s_tone, s_bitDepth], Written);
+        "output", "How the picture is written.", [s_file, s_encoding, s_exposure, s_tone, s_bitDepth, s_dither], Written);
 
     private static RenderOptions Options(Fields fields)
     {
@@ -104,6 +107,7 @@ internal static class SettingsFormats
             {
                 Encoding = fields.Get(s_encoding),
                 BitDepth = fields.Get(s_bitDepth),
+                Dithering = fields.Get(s_dither),
                 ToneMapping = new ToneMapping { Exposure = fields.Get(s_exposure), Operator = fields.Get(s_tone) },
             },
         };

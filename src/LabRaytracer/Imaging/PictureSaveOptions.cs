@@ -32,6 +32,10 @@ public sealed class PictureSaveOptions
         init => toneMapping = value ?? throw new ArgumentNullException(nameof(value));
     }
 
+    /// <summary>Whether smooth light is broken up where it is rounded to codes of 8 bits; default <see cref="Dithering.None"/>. Codes of 16 bits never are.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not one of the enumeration.</exception>
+    public Dithering Dithering { get; init => field = PropertyChecks.Known(value); } = Dithering.None;
+
     /// <summary>Time against size of PNG files; default <see cref="PngCompression.Default"/>.</summary>
     public PngCompression PngCompression { get; init => field = PropertyChecks.Known(value); } = PngCompression.Default;
 

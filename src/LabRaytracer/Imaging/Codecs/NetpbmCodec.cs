@@ -48,11 +48,11 @@ public sealed class NetpbmCodec : IPictureCodec
         ArgumentNullException.ThrowIfNull(options);
         int max = options.BitDepth == 8 ? 255 : 65535;
         stream.Write(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"P6\n{picture.Width} {picture.Height}\n{max}\n")));
-        RowEncoder encoder = new(TransferFunction.Srgb, options.BitDepth, options.ToneMapping);
+        RowEncoder encoder = new(TransferFunction.Srgb, options.BitDepth, options.ToneMapping, options.Dithering);
         byte[] row = new byte[encoder.BytesPerPixel * picture.Width];
         for (int y = 0; y < picture.Height; y++)
         {
-            encoder.Encode(picture.Row(y), row);
+            encoder.Encode(picture.Row(y), y, row);
             stream.Write(row);
         }
     }

@@ -30,7 +30,7 @@ internal sealed class PngBandCompressor(RowEncoder encoder, int width, PngCompre
         Span<byte> other = codes.AsSpan(2 * rowBytes, rowBytes);
         for (int y = 0; y < height; y++)
         {
-            encoder.Encode(rows.Slice(y * width, width), row);
+            encoder.Encode(rows.Slice(y * width, width), y, row);
             Span<byte> target = raw.AsSpan(y * (rowBytes + 1), rowBytes + 1);
             Filter(row, y == 0 ? [] : above, target, other);
             Span<byte> swap = above;

@@ -30,7 +30,7 @@ internal sealed class PngRowWriter : IBandSink
     {
         PictureSize.Check(width, height);
         (this.stream, this.width, this.height) = (stream, width, height);
-        RowEncoder encoder = new(options.Encoding, options.BitDepth, options.ToneMapping);
+        RowEncoder encoder = new(options.Encoding, options.BitDepth, options.ToneMapping, options.Dithering);
         compressor = new PngBandCompressor(encoder, width, options.PngCompression);
         bandRows = RowStep * (int)Math.Max(1, BandBytes / ((long)RowStep * width * encoder.BytesPerPixel));
         stream.Write(PngCodec.Signature);

@@ -4,19 +4,27 @@ namespace LabRaytracer;
 
 /// <summary>Rows of light to rows of codes (red, green, blue; 16-bit codes big-endian), as PNG and PPM store them.</summary>
 /// <remarks>Immutable, thread safe.</remarks>
-internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMapping toneMapping)
+internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMapping toneMapping, Dithering dithering = Dithering.None)
 {
+    private readonly OrderedDither? dither = dithering == Dithering.Ordered && bitDepth == 8 ? new OrderedDither(transfer) : null;
     private readonly CodeTable? table = ColorEncoding.EncodeTable(transfer, bitDepth);
 
     /// <summary>3 or 6.</summary>
     public int BytesPerPixel { get; } = 3 * bitDepth / 8;
 
     /// <summary>Encodes one row.</summary>
-    public void Encode(ReadOnlySpan<Intensity> row, Span<byte> target)
+    /// <param name="row">Its light.</param>
+    /// <param name="y">Its number; only its remainder by <see cref="OrderedDither.Side"/> matters.</param>
+    /// <param name="target">Receives the codes.</param>
+    public void Encode(ReadOnlySpan<Intensity> row, int y, Span<byte> target)
     {
         if (bitDepth == 16)
         {
             Encode16(row, target);
+        }
+        else if (dither is { } thresholds)
+        {
+            EncodeDithered8(row, y, target, thresholds);
         }
         else if (table is { } codes && toneMapping.IsPlainClamp)
         {
@@ -38,6 +46,18 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
             target[i] = (byte)codes.Encode(light.R);
             target[i + 1] = (byte)codes.Encode(light.G);
             target[i + 2] = (byte)codes.Encode(light.B);
+        }
+    }
+
+    private void EncodeDithered8(ReadOnlySpan<Intensity> row, int y, Span<byte> target, OrderedDither thresholds)
+    {
+        for (int x = 0; x < row.Length; x++)
+        {
+            Intensity light = toneMapping.Apply(row[x]);
+            float threshold = OrderedDither.Threshold(x, y);
+            target[3 * x] = thresholds.Code(light.R, threshold);
+            target[(3 * x) + 1] = thresholds.Code(light.G, threshold);
+            target[(3 * x) + 2] = thresholds.Code(light.B, threshold);
         }
     }
 
