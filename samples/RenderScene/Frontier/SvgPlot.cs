@@ -8,7 +8,7 @@ internal sealed class SvgPlot(string title, string xTitle, string yTitle)
 {
     private const int Width = 640, Height = 420, Left = 76, Right = 170, Top = 40, Bottom = 52;
 
-    private static readonly string[] s_colors = ["#0b62a4", "#c0392b", "#2e7d32", "#8e5ea2", "#d98200", "#00838f", "#6d4c41", "#546e7a", "#ad1457", "#9e9d24"];
+    private static readonly string[] s_colors = ["#0b62a4", "#c0392b", "#2e7d32", "#8e5ea2", "#d98200", "#00838f", "#6d4c41", "#546e7a", "#ad1457", "#9e9d24", "#000", "#999"];
 
     private readonly List<(string Name, List<(double X, double Y)> Points)> _lines = [];
 

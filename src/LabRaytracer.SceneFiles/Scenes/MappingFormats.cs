@@ -24,5 +24,6 @@ internal static class MappingFormats
 
     /// <summary>Any mapping.</summary>
     public static EitherFormat<IMapping> Any { get; } = new(
-        $"{s_word.Allowed}, an object {{ \"type\": lightProbe | torus | projector, ... }}", (NodeKind.Text, s_word), (NodeKind.Object, s_object)) { Name = "mapping" };
+        $"{s_word.Allowed}, an object {{ \"type\": lightProbe | torus | projector, ... }}", (NodeKind.Text, s_word), (NodeKind.Object, s_object))
+    { Name = "mapping" };
 }

@@ -67,7 +67,10 @@ public sealed class TriplanarTexture : IPreparedTexture
                 (Double1 u, Double1 v) = planes.Coordinates(axis);
                 Intensity color = read(lookup with
                 {
-                    Coordinate = new(u.Value, v.Value), Footprint = Footprint(lookup, planes, axis), WrapU = TextureWrap.Repeat, WrapV = TextureWrap.Repeat,
+                    Coordinate = new(u.Value, v.Value),
+                    Footprint = Footprint(lookup, planes, axis),
+                    WrapU = TextureWrap.Repeat,
+                    WrapV = TextureWrap.Repeat,
                 });
                 red = Float1.Fma(weight, new(color.R), red);
                 green = Float1.Fma(weight, new(color.G), green);

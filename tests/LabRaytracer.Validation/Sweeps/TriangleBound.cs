@@ -6,7 +6,7 @@ namespace LabRaytracer.Validation;
 /// x of a vertex is wrong by at most 3u X with X = |p.x| + |shear p.z|, y likewise; so an edge function x1 y2 - y1 x2, itself within 3u, by at most
 /// E = 3u (X1 |y2| + |x1| Y2 + Y1 |x2| + |y1| X2 + |edge|). With S the sum of the three edge functions, a weight w = edge / S is wrong by at most
 /// ((1 - w) E + w (the other two E)) / |S| + 4u w, and t, the weighted mean of the z times a scale, by at most scale (sum of E |z - mean| / |S| + 8u sum of w |z|).
-    /// |S| is taken less by what it may be wrong; where nothing is left, the bounds are infinite.
+/// |S| is taken less by what it may be wrong; where nothing is left, the bounds are infinite.
 /// </remarks>
 internal readonly struct TriangleBound
 {
