@@ -1,5 +1,6 @@
 using System.Globalization;
 using BenchmarkDotNet.Attributes;
+using RenderScene;
 
 namespace LabRaytracer.Benchmarks;
 
@@ -38,7 +39,7 @@ public class SceneBenchmarks : IMeasuresErrors
     public IReadOnlyList<string> Errors(string method)
     {
         ((Action)Delegate.CreateDelegate(typeof(Action), this, method))();
-        double rmse = ErrorSweep.Rmse(_picture!, Render(Precision.Double, 144, 1));
+        double rmse = FrontierSweep.Rmse(_picture!, Render(Precision.Double, 144, 1));
         return [rmse.ToString("G3", CultureInfo.InvariantCulture)];
     }
 

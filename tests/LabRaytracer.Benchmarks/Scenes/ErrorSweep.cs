@@ -1,3 +1,5 @@
+using RenderScene;
+
 namespace LabRaytracer.Benchmarks;
 
 /// <summary>Time against error on s5, a fine checker to the horizon: the difference from a converged picture.</summary>
@@ -47,24 +49,11 @@ internal sealed class ErrorSweep(BenchPlan plan, Measures measures, string work,
     private void Add(string program, string variant, double seconds, Picture picture, Picture converged)
     {
         measures.Add(Name, program, variant, "picture", seconds);
-        measures.Add(Name, program, variant, "rmse", Rmse(picture, converged));
+        measures.Add(Name, program, variant, "rmse", FrontierSweep.Rmse(picture, converged));
     }
 
     private RenderResult Render(Scene scene, int samples, int threads, int seed) => Renderer.Render(scene, new RenderOptions
     {
         Width = plan.Width, Height = plan.Height, Samples = samples, Threads = threads, Seed = seed, Pattern = samples == 1 ? SamplePattern.Regular : SamplePattern.Jittered,
     });
-
-    /// <summary>Root mean square difference of linear light: not of display codes, which would weigh dark pixels more.</summary>
-    public static double Rmse(Picture a, Picture b)
-    {
-        double sum = 0;
-        for (int i = 0; i < a.Pixels.Length; i++)
-        {
-            double difference = a.Pixels[i].R - b.Pixels[i].R;
-            sum += difference * difference;
-        }
-
-        return Math.Sqrt(sum / a.Pixels.Length);
-    }
 }
