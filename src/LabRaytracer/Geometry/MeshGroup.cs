@@ -12,8 +12,12 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
+    /// <summary>Pencils of rays that are asked together whether they may meet a mesh.</summary>
+    private const int PencilsABundle = 8;
+
     private readonly List<(TriangleMesh Mesh, Transform Transform, int Number)> _members = [];
     private MeshTree[] _trees = [];
+    private (Bounds Box, double Size)[] _boxes = [];
     private R* _transforms;
 
     public override int Add(Shape shape, Transform transform, int number)
@@ -25,6 +29,7 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     public override void Freeze(LaneMemory memory, int threads)
     {
         _trees = [.. _members.Select(member => member.Mesh.Tree(threads))];
+        _boxes = [.. _members.Select(member => Describe(member.Mesh.Bounds.Transformed(member.Transform)))];
         if (!isTransformed)
         {
             return;
@@ -44,56 +49,47 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
 
     public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
     {
-        (TriangleMesh mesh, _, int number) = _members[member];
-        MeshTree tree = _trees[member];
-        for (int packet = first; packet < end; packet++)
+        int most = MeshPencil.PacketsOf<R>();
+        PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[most];
+        for (int next; first < end; first = next)
         {
-            RayLanes<R> ray = ToObject(member, rays.Load(packet));
-            if (!MeshSearch.Prepare(tree, ray, hits.T[packet], out BvhRay<R, F, I> boxRay))
+            next = Math.Min(first + (most * PencilsABundle), end);
+            if (!MayMeet(member, rays, hits.T, first, next))
             {
                 continue;
             }
 
-            if (!MeshSearch.AreTogether(boxRay))
+            for (int packet = first; packet < next; packet += most)
             {
-                MeshSingle.Nearest(mesh.Data, tree, ray, boxRay, hits, packet, number);
-                continue;
+                int count = Math.Min(most, next - packet);
+                if (Load(member, rays, hits.T, packet, count, lanes) && !MeshPencil.Nearest(_members[member].Mesh.Data, _trees[member], lanes, count, hits, packet, _members[member].Number))
+                {
+                    NearestEach(member, hits, lanes, packet, count);
+                }
             }
-
-            MeshNearestSink<R, F, I> sink = new()
-            {
-                Object = number,
-                T = hits.T + packet,
-                A = hits.A + packet,
-                B = hits.B + packet,
-                Objects = hits.Object + packet,
-                Parts = hits.Part + packet,
-            };
-            MeshSearch.Run(mesh.Data, tree, ray, ref boxRay, ref sink);
         }
     }
 
     public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
     {
-        MeshData mesh = _members[member].Mesh.Data;
-        MeshTree tree = _trees[member];
-        for (int packet = first; packet < end; packet++)
+        int most = MeshPencil.PacketsOf<R>();
+        PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[most];
+        for (int next; first < end; first = next)
         {
-            RayLanes<R> ray = ToObject(member, rays.Load(packet));
-            if (!MeshSearch.Prepare(tree, ray, rays.Limit[packet], out BvhRay<R, F, I> boxRay))
+            next = Math.Min(first + (most * PencilsABundle), end);
+            if (!MayMeet(member, rays, rays.Limit, first, next))
             {
                 continue;
             }
 
-            if (!MeshSearch.AreTogether(boxRay))
+            for (int packet = first; packet < next; packet += most)
             {
-                MeshSingle.Block(mesh, tree, ray, boxRay, ref rays.Limit[packet]);
-                continue;
+                int count = Math.Min(most, next - packet);
+                if (Load(member, rays, rays.Limit, packet, count, lanes) && !MeshPencil.Block(_members[member].Mesh.Data, _trees[member], lanes, count, rays, packet, _members[member].Number))
+                {
+                    BlockEach(member, rays, lanes, packet, count);
+                }
             }
-
-            MeshBlockSink<R> sink = default;
-            MeshSearch.Run(mesh, tree, ray, ref boxRay, ref sink);
-            rays.Limit[packet] = R.Select(sink.Blocked, R.Of(-1), rays.Limit[packet]);
         }
     }
 
@@ -148,6 +144,64 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
                     steps.SurfaceGradient.V.Merge(packet, isOwn, R.ToSingle(g.VX), R.ToSingle(g.VY), R.ToSingle(g.VZ));
                 }
             }
+        }
+    }
+
+    /// <summary>A box in the world, and the sum of its largest coordinates.</summary>
+    private static (Bounds Box, double Size) Describe(Bounds box) => (box, Math.Max(Math.Abs(box.Min.X), Math.Abs(box.Max.X)) + Math.Max(Math.Abs(box.Min.Y), Math.Abs(box.Max.Y)) + Math.Max(Math.Abs(box.Min.Z), Math.Abs(box.Max.Z)));
+
+    /// <summary>Tells whether any ray of several pencils may meet the box of a mesh; true for few rays.</summary>
+    private bool MayMeet(int member, RayBatch<R, F, I> rays, R* limits, int first, int end)
+    {
+        if (end - first <= MeshPencil.PacketsOf<R>())
+        {
+            return true;
+        }
+
+        RayBundle bundle = RayBundle.Of(rays, limits, first, end, _boxes[member].Size);
+        return !bundle.IsOff && (!bundle.IsUsable || bundle.Meets(_boxes[member].Box, out _));
+    }
+
+    /// <summary>Rays and limits of some groups of lanes, in object space; false if all rays are off.</summary>
+    private bool Load(int member, RayBatch<R, F, I> rays, R* limits, int packet, int count, PencilLanes<R, F, I>* lanes)
+    {
+        R isOn = R.Zero;
+        for (int k = 0; k < count; k++)
+        {
+            lanes[k].Limit = limits[packet + k];
+            isOn |= R.Less(R.Zero, lanes[k].Limit);
+        }
+
+        if (!R.Any(isOn))
+        {
+            return false;
+        }
+
+        for (int k = 0; k < count; k++)
+        {
+            lanes[k].Ray = ToObject(member, rays.Load(packet + k));
+        }
+
+        return true;
+    }
+
+    /// <summary>Nearest hits of rays that are no pencil.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void NearestEach(int member, HitBatch<R, F, I> hits, PencilLanes<R, F, I>* lanes, int packet, int count)
+    {
+        for (int k = 0; k < count; k++)
+        {
+            MeshSearch.Nearest(_members[member].Mesh.Data, _trees[member], lanes[k].Ray, hits, packet + k, _members[member].Number);
+        }
+    }
+
+    /// <summary>Blocks rays that are no pencil.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void BlockEach(int member, RayBatch<R, F, I> rays, PencilLanes<R, F, I>* lanes, int packet, int count)
+    {
+        for (int k = 0; k < count; k++)
+        {
+            MeshSearch.Block<R, F, I>(_members[member].Mesh.Data, _trees[member], lanes[k].Ray, ref rays.Limit[packet + k]);
         }
     }
 

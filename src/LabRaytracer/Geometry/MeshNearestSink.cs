@@ -1,3 +1,4 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -8,6 +9,25 @@ internal readonly unsafe struct MeshNearestSink<R, F, I> : IMeshSink<R>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
+    /// <summary>Makes an empty one, to be filled.</summary>
+    public MeshNearestSink()
+    {
+    }
+
+    /// <param name="hits">Where hits are kept.</param>
+    /// <param name="packet">Which group of lanes.</param>
+    /// <param name="number">Number of the mesh's object.</param>
+    [SetsRequiredMembers]
+    public MeshNearestSink(HitBatch<R, F, I> hits, int packet, int number)
+    {
+        Object = number;
+        T = hits.T + packet;
+        A = hits.A + packet;
+        B = hits.B + packet;
+        Objects = hits.Object + packet;
+        Parts = hits.Part + packet;
+    }
+
     /// <summary>Number of the mesh's object.</summary>
     public required int Object { get; init; }
 
@@ -26,10 +46,13 @@ internal readonly unsafe struct MeshNearestSink<R, F, I> : IMeshSink<R>
     /// <summary>Known triangle numbers.</summary>
     public required I* Parts { get; init; }
 
+    public bool Take(in R mask, in R t, in R weight1, in R weight2, int triangle, ref R limit) => Take(mask, t, weight1, weight2, I.Of(triangle), ref limit);
+
+    /// <summary>Takes hits, each of a triangle of its own.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public bool Take(in R mask, in R t, in R weight1, in R weight2, int triangle, ref R limit)
+    public bool Take(in R mask, in R t, in R weight1, in R weight2, in I part, ref R limit)
     {
-        I self = I.Of(Object), part = I.Of(triangle);
+        I self = I.Of(Object);
         R closer = mask & R.Less(t, limit);
         R tie = mask & R.Equal(t, limit);
         if (R.Any(tie))

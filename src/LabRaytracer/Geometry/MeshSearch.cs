@@ -7,6 +7,49 @@ internal static unsafe class MeshSearch
 {
     private const int FewRays = 2;
 
+    /// <summary>Keeps the nearest hits of a group of lanes.</summary>
+    public static void Nearest<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, HitBatch<R, F, I> hits, int packet, int number)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (!Prepare(tree, ray, hits.T[packet], out BvhRay<R, F, I> boxRay))
+        {
+            return;
+        }
+
+        if (!AreTogether(boxRay))
+        {
+            MeshSingle.Nearest(mesh, tree, ray, boxRay, hits, packet, number);
+            return;
+        }
+
+        MeshNearestSink<R, F, I> sink = new(hits, packet, number);
+        Run(mesh, tree, ray, ref boxRay, ref sink);
+    }
+
+    /// <summary>Ends the rays of a group of lanes that are blocked: their limits become -1.</summary>
+    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, ref R limit)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (!Prepare(tree, ray, limit, out BvhRay<R, F, I> boxRay))
+        {
+            return;
+        }
+
+        if (!AreTogether(boxRay))
+        {
+            MeshSingle.Block(mesh, tree, ray, boxRay, ref limit);
+            return;
+        }
+
+        MeshBlockSink<R> sink = default;
+        Run(mesh, tree, ray, ref boxRay, ref sink);
+        limit = R.Select(sink.Blocked, R.Of(-1), limit);
+    }
+
     /// <summary>Prepares rays for the tree of a mesh; false if all are off.</summary>
     public static bool Prepare<R, F, I>(MeshTree tree, in RayLanes<R> ray, in R limit, out BvhRay<R, F, I> boxRay)
         where R : unmanaged, ILane<R, F, I>
@@ -24,13 +67,13 @@ internal static unsafe class MeshSearch
     }
 
     /// <summary>Tells whether prepared rays are better off together: they are several and share the signs of their directions.</summary>
-    public static bool AreTogether<R, F, I>(in BvhRay<R, F, I> boxRay)
+    private static bool AreTogether<R, F, I>(in BvhRay<R, F, I> boxRay)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I> => boxRay.SharesSigns && BitOperations.PopCount(boxRay.Active) > FewRays;
 
     /// <summary>Hands the hits with 0 &lt; t &lt;= limit to a sink, which lowers the limit; all lanes together.</summary>
-    public static void Run<R, F, I, TSink>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, ref BvhRay<R, F, I> boxRay, ref TSink sink)
+    private static void Run<R, F, I, TSink>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, ref BvhRay<R, F, I> boxRay, ref TSink sink)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>

@@ -21,6 +21,9 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Shadow rays only: number of the object whose outer side the ray leaves, or -1.</summary>
     public readonly I* Source;
 
+    /// <summary>Shadow rays that have a <see cref="Source"/>: number of its part.</summary>
+    public readonly I* SourcePart;
+
     /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow"/>. In float lanes the rays themselves.</summary>
     private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
 
@@ -39,6 +42,7 @@ internal sealed unsafe class RayBatch<R, F, I>
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Limit = memory.Column<R>(capacity, R.Width);
         Source = memory.Column<I>(capacity, I.Width);
+        SourcePart = memory.Column<I>(capacity, I.Width);
         new Span<int>(Source, (capacity + I.Width - 1) / I.Width * I.Width).Fill(-1);
         _originX = R.IsSingle ? (F*)OriginX : memory.Column<F>(capacity, R.Width);
         _originY = R.IsSingle ? (F*)OriginY : memory.Column<F>(capacity, R.Width);

@@ -26,6 +26,7 @@ internal static unsafe class ViewerStage
             R inside = R.Less(R.Zero, Lane.Dot(nx, ny, nz, dx, dy, dz));
             buffers.Inside[packet] = inside;
             buffers.ShadowRays.Source[packet] = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
+            buffers.ShadowRays.SourcePart[packet] = run.Collect(hits.Part);
             if (R.Any(inside))
             {
                 s.NormalX[packet] = R.Select(inside, -nx, nx);

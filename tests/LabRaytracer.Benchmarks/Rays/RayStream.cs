@@ -50,6 +50,16 @@ internal sealed unsafe class RayStream<R, F, I>
     /// <summary>How many hit or are blocked.</summary>
     public int HitCount => Enumerable.Range(0, Rays.Count).Count(IsHit);
 
+    /// <summary>Tells each shadow ray which triangle it leaves, as the renderer does.</summary>
+    public void LeaveFrom(RayStream<R, F, I> surfaces)
+    {
+        for (int i = 0; i < Rays.Count; i++)
+        {
+            ((int*)Rays.Source)[i] = surfaces.IsHit(i) ? 0 : -1;
+            ((int*)Rays.SourcePart)[i] = ((int*)surfaces._hits!.Part)[i];
+        }
+    }
+
     public void Trace(int threads)
     {
         int parts = (Rays.Packets + Packets - 1) / Packets;

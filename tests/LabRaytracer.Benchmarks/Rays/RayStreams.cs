@@ -16,7 +16,9 @@ internal sealed class RayStreams<R, F, I> : IDisposable
         group.Freeze(_memory, 2);
         RayStream<R, F, I> primary = new("primary", mesh, group, _memory, Camera(), isShadow: false);
         primary.Trace(2);
-        All = [primary, new("shadow", mesh, group, _memory, ToLamp(mesh, primary), isShadow: true), new("diffuse", mesh, group, _memory, Diffuse(mesh, primary), isShadow: false)];
+        RayStream<R, F, I> shadow = new("shadow", mesh, group, _memory, ToLamp(mesh, primary), isShadow: true);
+        shadow.LeaveFrom(primary);
+        All = [primary, shadow, new("diffuse", mesh, group, _memory, Diffuse(mesh, primary), isShadow: false)];
     }
 
     public IReadOnlyList<RayStream<R, F, I>> All { get; }

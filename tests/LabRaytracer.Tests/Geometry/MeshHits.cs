@@ -43,11 +43,19 @@ internal sealed unsafe class MeshHits<R, F, I> : IDisposable
     }
 
     /// <summary>Which rays the tree blocks.</summary>
-    public static bool[] Blocked(TriangleMesh mesh, Ray[] rays, double limit)
+    public static bool[] Blocked(TriangleMesh mesh, Ray[] rays, double limit) => Blocked(mesh, rays, [.. rays.Select(_ => limit)]);
+
+    /// <summary>Which rays the tree blocks, each before a limit of its own; not above 0 for a ray that is off.</summary>
+    public static bool[] Blocked(TriangleMesh mesh, Ray[] rays, double[] limits)
     {
-        using MeshHits<R, F, I> run = new(rays, limit);
+        using MeshHits<R, F, I> run = new(rays);
+        for (int i = 0; i < rays.Length; i++)
+        {
+            R.Put(run.Rays.Limit, i, limits[i]);
+        }
+
         Group(mesh, 1, run._memory, Transform.Identity).Block(0, run.Rays, 0, run.Rays.Packets);
-        return [.. Enumerable.Range(0, rays.Length).Select(i => R.Take(run.Rays.Limit, i) < 0)];
+        return [.. Enumerable.Range(0, rays.Length).Select(i => limits[i] > 0 && R.Take(run.Rays.Limit, i) < 0)];
     }
 
     /// <summary>Finds the nearest hits by testing every triangle.</summary>

@@ -120,6 +120,9 @@ internal readonly struct Double1(double value) : ILane<Double1, Float1, Int1>
     public static bool All(Double1 mask) => BitConverter.DoubleToInt64Bits(mask.Value) != 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Double1 a) => a.Value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double1 a, int lane) => a.Value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

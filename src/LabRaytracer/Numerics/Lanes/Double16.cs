@@ -134,6 +134,13 @@ internal readonly struct Double16(Vector512<double> low, Vector512<double> high)
     public static bool All(Double16 mask) => (mask.Low & mask.High).AsInt64() == Vector512<long>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Double16 a)
+    {
+        Vector512<double> all = Vector512.MaxNative(a.Low, a.High);
+        return Double8.Largest(new(all.GetLower(), all.GetUpper()));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double16 a, int lane) => lane < 8 ? a.Low.GetElement(lane) : a.High.GetElement(lane - 8);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

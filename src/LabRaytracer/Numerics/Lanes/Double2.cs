@@ -119,6 +119,9 @@ internal readonly struct Double2(Vector128<double> value) : IReal<Double2>
     public static bool All(Double2 mask) => mask.Value.AsInt64() == Vector128<long>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Double2 a) => Math.Max(a.Value.ToScalar(), a.Value.GetElement(1));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double2 a, int lane) => a.Value.GetElement(lane);
 
     /// <summary>Two numbers side by side.</summary>

@@ -119,6 +119,9 @@ internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float
     public static bool All(Double4 mask) => mask.Value.AsInt64() == Vector256<long>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Double4 a) => Double2.Largest(new(Vector128.MaxNative(a.Value.GetLower(), a.Value.GetUpper())));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double4 a, int lane) => a.Value.GetElement(lane);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -134,6 +134,9 @@ internal readonly struct Double8(Vector256<double> low, Vector256<double> high) 
     public static bool All(Double8 mask) => (mask.Low & mask.High).AsInt64() == Vector256<long>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Double8 a) => Double4.Largest(new(Vector256.MaxNative(a.Low, a.High)));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double8 a, int lane) => lane < 4 ? a.Low.GetElement(lane) : a.High.GetElement(lane - 4);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -120,6 +120,9 @@ internal readonly struct Float1(float value) : ILane<Float1, Float1, Int1>
     public static bool All(Float1 mask) => BitConverter.SingleToInt32Bits(mask.Value) != 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Float1 a) => a.Value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Float1 a, int lane) => a.Value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

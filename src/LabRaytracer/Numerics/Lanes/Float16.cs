@@ -119,6 +119,9 @@ internal readonly struct Float16(Vector512<float> value) : ILane<Float16, Float1
     public static bool All(Float16 mask) => mask.Value.AsInt32() == Vector512<int>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Float16 a) => Float8.Largest(new(Vector256.MaxNative(a.Value.GetLower(), a.Value.GetUpper())));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Float16 a, int lane) => a.Value.GetElement(lane);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -119,6 +119,13 @@ internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, 
     public static bool All(Float4 mask) => mask.Value.AsInt32() == Vector128<int>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Float4 a)
+    {
+        Vector128<float> pairs = Vector128.MaxNative(a.Value, Vector128.Shuffle(a.Value, Vector128.Create(2, 3, 0, 1)));
+        return Vector128.MaxNative(pairs, Vector128.Shuffle(pairs, Vector128.Create(1, 0, 3, 2))).ToScalar();
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Float4 a, int lane) => a.Value.GetElement(lane);
 
     /// <summary>Three numbers and 0.</summary>

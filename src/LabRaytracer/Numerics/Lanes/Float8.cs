@@ -119,6 +119,9 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     public static bool All(Float8 mask) => mask.Value.AsInt32() == Vector256<int>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Largest(Float8 a) => Float4.Largest(new(Vector128.MaxNative(a.Value.GetLower(), a.Value.GetUpper())));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Float8 a, int lane) => a.Value.GetElement(lane);
 
     /// <summary>Lanes 0 to 3.</summary>

@@ -78,6 +78,9 @@ internal interface IReal<T> :
     /// <summary>Tells whether a mask is true in every lane.</summary>
     static abstract bool All(T mask);
 
+    /// <summary>The largest number of all lanes, none of which is NaN.</summary>
+    static abstract double Largest(T a);
+
     /// <summary>The number in one lane, exactly.</summary>
     /// <param name="a">The lanes.</param>
     /// <param name="lane">Lane, [0, <see cref="Width"/>).</param>

@@ -1,0 +1,96 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Pencils of rays against a mesh, in its object space.</summary>
+/// <remarks>
+/// The same hits as <see cref="MeshSearch"/>, bit for bit: what floats leave open is decided by the same test.
+/// Float lanes are left to that search: their test is hardly more exact than edge functions in floats are.
+/// </remarks>
+internal static unsafe class MeshPencil
+{
+    /// <summary>Fewer rays are no pencil.</summary>
+    public const int FewestRays = 4;
+
+    /// <summary>Rays that are searched for together.</summary>
+    private const int RaysTogether = 16;
+
+    /// <summary>Groups of lanes that are searched for together.</summary>
+    public static int PacketsOf<R>()
+        where R : unmanaged, IReal<R> => Math.Max(1, RaysTogether / R.Width);
+
+    /// <summary>Keeps the nearest hits, if the rays are a pencil that starts in its apex; else false, and nothing happens.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="tree">Its tree.</param>
+    /// <param name="lanes">Groups of lanes with their rays and limits.</param>
+    /// <param name="count">How many groups.</param>
+    /// <param name="hits">Receives the hits.</param>
+    /// <param name="first">The first group of lanes there.</param>
+    /// <param name="number">Number of the mesh's object.</param>
+    public static bool Nearest<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, HitBatch<R, F, I> hits, int first, int number)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (R.IsSingle || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, out RayPencil pencil))
+        {
+            return false;
+        }
+
+        Run(mesh, tree, pencil, lanes, count, new PencilNearest<R, F, I>(mesh, tree.Triangles, hits, first, number));
+        return true;
+    }
+
+    /// <summary>Ends the rays that are blocked, if they are a pencil that ends in its apex; else false, and nothing happens.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="tree">Its tree.</param>
+    /// <param name="lanes">Groups of lanes with their rays and limits.</param>
+    /// <param name="count">How many groups.</param>
+    /// <param name="rays">The rays; limits of blocked ones become -1.</param>
+    /// <param name="first">The first group of lanes there.</param>
+    /// <param name="number">Number of the mesh's object.</param>
+    public static bool Block<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, RayBatch<R, F, I> rays, int first, int number)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (R.IsSingle || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, out RayPencil pencil))
+        {
+            return false;
+        }
+
+        Run(mesh, tree, pencil, lanes, count, new PencilBlock<R, F, I>(mesh, tree.Triangles, rays, first, number));
+        return true;
+    }
+
+    private static void Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, in TGoal goal)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+        where TGoal : struct, IPencilGoal<R, F, I>
+    {
+        if (mesh.Positions.Singles != null)
+        {
+            Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, goal);
+        }
+        else
+        {
+            Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, goal);
+        }
+    }
+
+    [SkipLocalsInit]
+    private static void Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, in TGoal goal)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+        where P : struct, IMeshPositions
+        where TGoal : struct, IPencilGoal<R, F, I>
+    {
+        float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
+        PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, goal);
+        float limit = leaf.Start();
+        BvhWideTraversal.Run(tree.Boxes, new PencilBoxes(pencil, tree.Frame), limit, ref leaf);
+        leaf.End();
+    }
+}

@@ -1,0 +1,61 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>A pencil of rays against eight boxes at a time: the four planes around it, and the nearest and farthest z of interest.</summary>
+/// <remarks>
+/// A box lies outside of the plane x = s z through the apex if its corner that is farthest inside does; which one that is depends on the sign of s alone.
+/// All floats here are rounded by less than 2^-22 of the pencil's size, twice that is the margin; the triangle test sees points at most 2^-49 of it beside a line.
+/// </remarks>
+internal readonly unsafe struct PencilBoxes : IBvhWideTest
+{
+    private const int Across = 3 * BvhWideNode.Width;
+    private const double Margin = 1.0 / (1 << 21);
+    private readonly Float8 _lowX, _highX, _lowY, _highY;
+    private readonly Float8 _lowXLimit, _highXLimit, _lowYLimit, _highYLimit;
+    private readonly Float8 _sign, _nearest, _farthest;
+    private readonly int _atX, _atY, _atLowX, _atHighX, _atLowY, _atHighY, _atNear, _atFar;
+
+    /// <param name="pencil">The rays, measured.</param>
+    /// <param name="tree">Where the tree is.</param>
+    public PencilBoxes(in RayPencil pencil, in BvhFrame tree)
+    {
+        int axisX = (pencil.Axis + 1) % 3, axisY = (pencil.Axis + 2) % 3, z = pencil.Axis * BvhWideNode.Width;
+        double centerX = Center(tree, axisX), centerY = Center(tree, axisY), centerZ = Center(tree, pencil.Axis), margin = pencil.Size * Margin;
+        double x = pencil.ApexX - centerX, y = pencil.ApexY - centerY, apexZ = pencil.ApexZ - centerZ;
+        (_atX, _atY) = (axisX * BvhWideNode.Width, axisY * BvhWideNode.Width);
+        SetPlane(pencil.Sign * (pencil.MiddleX - pencil.SpreadX), x, apexZ, -margin, z, z + Across, out _lowX, out _lowXLimit, out _atLowX);
+        SetPlane(pencil.Sign * (pencil.MiddleX + pencil.SpreadX), x, apexZ, margin, z + Across, z, out _highX, out _highXLimit, out _atHighX);
+        SetPlane(pencil.Sign * (pencil.MiddleY - pencil.SpreadY), y, apexZ, -margin, z, z + Across, out _lowY, out _lowYLimit, out _atLowY);
+        SetPlane(pencil.Sign * (pencil.MiddleY + pencil.SpreadY), y, apexZ, margin, z + Across, z, out _highY, out _highYLimit, out _atHighY);
+        _sign = Float8.Of(pencil.Sign);
+        _nearest = Float8.Of(-(pencil.Sign * apexZ) - margin);
+        _farthest = Float8.Of(-(pencil.Sign * apexZ) + margin);
+        (_atNear, _atFar) = pencil.Sign > 0 ? (z, z + Across) : (z + Across, z);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public uint Meet(float* planes, float limit, out Float8 near)
+    {
+        near = Float8.Max(Float8.Fma(At(planes, _atNear), _sign, _nearest), Float8.Zero);
+        Float8 far = Float8.Fma(At(planes, _atFar), _sign, _farthest);
+        Float8 inside = Float8.LessOrEqual(_lowXLimit, Float8.Fma(At(planes, _atLowX), _lowX, At(planes, _atX + Across)))
+            & Float8.LessOrEqual(Float8.Fma(At(planes, _atHighX), _highX, At(planes, _atX)), _highXLimit)
+            & Float8.LessOrEqual(_lowYLimit, Float8.Fma(At(planes, _atLowY), _lowY, At(planes, _atY + Across)))
+            & Float8.LessOrEqual(Float8.Fma(At(planes, _atHighY), _highY, At(planes, _atY)), _highYLimit);
+        return Float8.Bits(inside & Float8.LessOrEqual(near, Float8.Min(far, Float8.Of(limit))));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Float8 At(float* planes, int place) => *(Float8*)(planes + place);
+
+    private static double Center(in BvhFrame tree, int axis) => axis == 0 ? tree.CenterX : axis == 1 ? tree.CenterY : tree.CenterZ;
+
+    /// <summary>The plane x = slope z, moved by a margin.</summary>
+    private static void SetPlane(double slope, double x, double z, double margin, int ifUp, int ifDown, out Float8 toZ, out Float8 limit, out int at)
+    {
+        toZ = Float8.Of(-slope);
+        limit = Float8.Of(x - (slope * z) + margin);
+        at = slope > 0 ? ifUp : ifDown;
+    }
+}

@@ -1,0 +1,169 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Finds out whether some groups of lanes are a pencil of rays.</summary>
+internal static unsafe class PencilFinder
+{
+    /// <summary>Sizes of scenes whose numbers stay normal in floats, as products of three and in error bounds.</summary>
+    private const double Smallest = 1.0 / (1 << 20), Largest = 1 << 30;
+
+    /// <summary>Tells whether rays are a pencil, and which.</summary>
+    /// <param name="lanes">Groups of lanes with their rays and limits; their slopes are set.</param>
+    /// <param name="count">How many groups.</param>
+    /// <param name="mesh">Where the mesh is.</param>
+    /// <param name="endsAtApex">Whether rays end in the apex, at their limits, instead of starting there.</param>
+    /// <param name="pencil">Receives apex, axis, slopes and error bounds.</param>
+    public static bool Find<R, F, I>(PencilLanes<R, F, I>* lanes, int count, in BvhFrame mesh, bool endsAtApex, out RayPencil pencil)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        pencil = default;
+        int active = 0, first = -1, lane = 0;
+        for (int packet = 0; packet < count; packet++)
+        {
+            uint bits = R.Bits(R.Less(R.Zero, lanes[packet].Limit));
+            (first, lane) = first < 0 && bits != 0 ? (packet, BitOperations.TrailingZeroCount(bits)) : (first, lane);
+            active += BitOperations.PopCount(bits);
+        }
+
+        if (active < MeshPencil.FewestRays)
+        {
+            return false;
+        }
+
+        Point3D apex = EndOf(lanes + first, lane, endsAtApex);
+        Vector3D direction = new(Take(lanes[first].Ray.DirectionX, lane), Take(lanes[first].Ray.DirectionY, lane), Take(lanes[first].Ray.DirectionZ, lane));
+        pencil.Axis = LargestAxis(direction);
+        double deviation = 0, limit = 0;
+        for (int packet = 0; packet < count; packet++)
+        {
+            if (!Belongs(lanes + packet, pencil.Axis, apex, endsAtApex, ref deviation, ref limit))
+            {
+                return false;
+            }
+        }
+
+        SetSize(ref pencil, apex, mesh, deviation, limit);
+        Turn(pencil.Axis, apex, direction, out pencil.ApexX, out pencil.ApexY, out pencil.ApexZ, out double z);
+        pencil.Sign = z < 0 == endsAtApex ? 1 : -1;
+        if (!(pencil.Size is > Smallest and < Largest && deviation <= pencil.Size * 1e-12))
+        {
+            return false;
+        }
+
+        Measure(lanes, count, ref pencil);
+        return true;
+    }
+
+    /// <summary>Where a ray starts, or where it ends.</summary>
+    private static Point3D EndOf<R, F, I>(PencilLanes<R, F, I>* lanes, int lane, bool endsAtApex)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        Point3D origin = new(Take(lanes->Ray.OriginX, lane), Take(lanes->Ray.OriginY, lane), Take(lanes->Ray.OriginZ, lane));
+        return endsAtApex
+            ? origin + (Take(lanes->Limit, lane) * new Vector3D(Take(lanes->Ray.DirectionX, lane), Take(lanes->Ray.DirectionY, lane), Take(lanes->Ray.DirectionZ, lane)))
+            : origin;
+    }
+
+    private static double Take<R>(R lanes, int lane)
+        where R : unmanaged, IReal<R> => Lane.Take(&lanes, lane);
+
+    private static int LargestAxis(Vector3D direction)
+    {
+        double x = Math.Abs(direction.X), y = Math.Abs(direction.Y), z = Math.Abs(direction.Z);
+        return x > y && x > z ? 0 : y > z ? 1 : 2;
+    }
+
+    /// <summary>Tells whether all rays of a group that are on belong to the pencil.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool Belongs<R, F, I>(PencilLanes<R, F, I>* lanes, int axis, Point3D apex, bool endsAtApex, ref double deviation, ref double limit)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        RayLanes<R>* ray = &lanes->Ray;
+        R isOff = R.LessOrEqual(lanes->Limit, R.Zero);
+        R x = R.Abs(ray->DirectionX), y = R.Abs(ray->DirectionY), z = R.Abs(ray->DirectionZ), along = axis == 0 ? x : axis == 1 ? y : z;
+        R isAlong = R.LessOrEqual(x, along) & R.LessOrEqual(y, along) & R.LessOrEqual(z, along) & R.Less(R.Of(1e-30), along) & R.Less(along, R.Of(1e30));
+        if (!R.All(isOff | isAlong))
+        {
+            return false;
+        }
+
+        if (!endsAtApex)
+        {
+            return R.All(isOff | (R.Equal(ray->OriginX, R.Of(apex.X)) & R.Equal(ray->OriginY, R.Of(apex.Y)) & R.Equal(ray->OriginZ, R.Of(apex.Z))));
+        }
+
+        R beside = R.Abs(R.Fma(lanes->Limit, ray->DirectionX, ray->OriginX) - R.Of(apex.X))
+            + R.Abs(R.Fma(lanes->Limit, ray->DirectionY, ray->OriginY) - R.Of(apex.Y))
+            + R.Abs(R.Fma(lanes->Limit, ray->DirectionZ, ray->OriginZ) - R.Of(apex.Z));
+        deviation = Math.Max(deviation, R.Largest(beside & ~isOff));
+        limit = Math.Max(limit, R.Largest(lanes->Limit * along & ~isOff));
+        return double.IsFinite(deviation + limit);
+    }
+
+    private static void SetSize(ref RayPencil pencil, Point3D apex, in BvhFrame mesh, double deviation, double way)
+    {
+        // An origin is at most sqrt(3) times its way along the largest axis from the apex; its coordinates add up to three times that. The points at the limits are rounded.
+        pencil.Size = mesh.Size + Math.Abs(apex.X) + Math.Abs(apex.Y) + Math.Abs(apex.Z) + (3 * way);
+        double beside = way == 0 ? 0 : deviation + (pencil.Size * 1.7763568394002505e-15);
+        pencil.Slack = pencil.Size * ((pencil.Size * 2.8421709430404007e-14) + (64 * beside));
+    }
+
+    private static void Turn(int axis, Point3D apex, Vector3D direction, out double x, out double y, out double z, out double along) =>
+        (x, y, z, along) = axis == 2 ? (apex.X, apex.Y, apex.Z, direction.Z)
+            : axis == 1 ? (apex.Z, apex.X, apex.Y, direction.Y)
+            : (apex.Y, apex.Z, apex.X, direction.X);
+
+    /// <summary>Slopes of the rays, their middle and spread.</summary>
+    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, ref RayPencil pencil)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        // The largest of x and -x, and of y and -y.
+        F largestX = F.Of(-2), largestY = largestX, leastX = largestX, leastY = largestX;
+        for (int packet = 0; packet < count; packet++)
+        {
+            SetSlopes(lanes + packet, pencil, ref leastX, ref largestX, ref leastY, ref largestY);
+        }
+
+        (double lowX, double highX, double lowY, double highY) = (-F.Largest(leastX), F.Largest(largestX), -F.Largest(leastY), F.Largest(largestY));
+        (pencil.MiddleX, pencil.MiddleY) = (0.5 * (lowX + highX), 0.5 * (lowY + highY));
+
+        // Slopes were rounded to float for the bounds.
+        (pencil.SpreadX, pencil.SpreadY) = ((0.5 * (highX - lowX)) + 1.2e-7, (0.5 * (highY - lowY)) + 1.2e-7);
+        for (int packet = 0; packet < count; packet++)
+        {
+            PencilLanes<R, F, I>* own = lanes + packet;
+            F isOn = R.MaskToSingle(R.Less(R.Zero, own->Limit));
+            own->SlopeX = R.ToSingle(own->FullX - R.Of(pencil.MiddleX)) & isOn;
+            own->SlopeY = R.ToSingle(own->FullY - R.Of(pencil.MiddleY)) & isOn;
+        }
+    }
+
+    /// <summary>Slopes of a group of lanes, and their pace.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void SetSlopes<R, F, I>(PencilLanes<R, F, I>* lanes, in RayPencil pencil, ref F leastX, ref F largestX, ref F leastY, ref F largestY)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        RayLanes<R>* ray = &lanes->Ray;
+        R* direction = &ray->DirectionX;
+        R z = direction[pencil.Axis], inverse = R.Of(pencil.Sign) / z, x = direction[(pencil.Axis + 1) % 3] * inverse, y = direction[(pencil.Axis + 2) % 3] * inverse;
+        lanes->Pace = R.Abs(z);
+        (lanes->FullX, lanes->FullY) = (x, y);
+        F isOn = R.MaskToSingle(R.Less(R.Zero, lanes->Limit)), slopeX = R.ToSingle(x), slopeY = R.ToSingle(y), least = F.Of(-2);
+        largestX = F.Max(F.Select(isOn, slopeX, least), largestX);
+        largestY = F.Max(F.Select(isOn, slopeY, least), largestY);
+        leastX = F.Max(F.Select(isOn, -slopeX, least), leastX);
+        leastY = F.Max(F.Select(isOn, -slopeY, least), leastY);
+    }
+}

@@ -1,0 +1,132 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Triangles against a pencil of rays: what is the same for all its rays, for up to four triangles at a time.</summary>
+/// <remarks>
+/// <para>With the vertices p0, p1, p2 relative to the apex, a line along d meets the triangle where d (p1 x p2), d (p2 x p0) and d (p0 x p1) have the same sign: three linear
+/// functions of the slopes. Their coefficients are computed in doubles and flipped so that hits are positive; over the small differences of slopes floats are enough
+/// to evaluate them. The sum of the three is d N with N the normal (twice the area), and w = p0 N / d N. Source of the edge functions: Pluecker coordinates,
+/// Shoemake, "Pluecker coordinate tutorial", Ray Tracing News 11(1), 1998.</para>
+/// <para>Error bound of an edge function, against the sign that <see cref="WatertightTriangle"/> finds in doubles (u = 2^-24, D the size of the pencil): the evaluation in floats
+/// 8 u (|middle| + span); the set-up 2^-47 D^2; the test's own sheared vertices, each wrong by up to 2^-51 D, times how far vertices are beside the rays,
+/// 2^-47 D^2; lines that pass the apex, 32 D times how far. The last three are doubled.</para>
+/// </remarks>
+internal static unsafe class PencilTriangles
+{
+    /// <summary>Numbers a triangle; each has a column of four.</summary>
+    public const int Numbers = 15;
+
+    /// <summary>Columns of an edge function: x, y and middle coefficient, the last raised by the error bound, and twice that bound.</summary>
+    public const int EdgeX = 0, EdgeY = 1, EdgeMiddle = 2, EdgeError = 3, EdgeNumbers = 4;
+
+    /// <summary>Columns behind the three edge functions: how much smaller than the sum of the raised ones the true sum may be, and bounds of the volume.</summary>
+    public const int SumError = 12, VolumeLow = 13, VolumeHigh = 14;
+
+    /// <summary>Triangles that are prepared at a time.</summary>
+    public const int Most = BvhWide.MostItems;
+
+    /// <summary>Sum of edge functions and volume are certain if they are this many times their error bounds.</summary>
+    public const double Certainty = 32;
+
+    private const double Evaluation = 9.5367431640625e-7;
+    private const double Rounding = 1.0 / (1 << 20);
+
+    /// <summary>Prepares triangles.</summary>
+    /// <param name="pencil">The rays.</param>
+    /// <param name="triangles">The first triangle.</param>
+    /// <param name="count">How many, 1 to 4.</param>
+    /// <param name="positions">Their vertices.</param>
+    /// <param name="columns">Receives <see cref="Numbers"/> columns of four floats.</param>
+    /// <returns>Bits of the triangles that some ray may hit.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static uint Prepare<P>(in RayPencil pencil, MeshTriangle* triangles, int count, P positions, float* columns)
+        where P : struct, IMeshPositions
+    {
+        MeshTriangle* b = triangles + Math.Min(1, count - 1), c = triangles + Math.Min(2, count - 1), d = triangles + (count - 1);
+        Vertices(pencil, positions, triangles->Element0, b->Element0, c->Element0, d->Element0, out Double4 x0, out Double4 y0, out Double4 z0);
+        Vertices(pencil, positions, triangles->Element1, b->Element1, c->Element1, d->Element1, out Double4 x1, out Double4 y1, out Double4 z1);
+        Vertices(pencil, positions, triangles->Element2, b->Element2, c->Element2, d->Element2, out Double4 x2, out Double4 y2, out Double4 z2);
+        Double4 volume = Lane.Dot(x0, y0, z0, Minor(y1, z2, z1, y2), Minor(z1, x2, x1, z2), Minor(x1, y2, y1, x2));
+        Double4 sign = volume & Double4.Of(-0.0), isOutside = default, isOutsideReversed = default, sumError = default;
+        AddEdge(pencil, sign, x1, y1, z1, x2, y2, z2, columns, ref isOutside, ref isOutsideReversed, ref sumError);
+        AddEdge(pencil, sign, x2, y2, z2, x0, y0, z0, columns + (EdgeNumbers * Most), ref isOutside, ref isOutsideReversed, ref sumError);
+        AddEdge(pencil, sign, x0, y0, z0, x1, y1, z1, columns + (2 * EdgeNumbers * Most), ref isOutside, ref isOutsideReversed, ref sumError);
+        Double4 size = Double4.Abs(volume), volumeError = sumError * Double4.Of(pencil.Size), isKnown = Double4.Less(volumeError, size);
+        uint left = ~Double4.Bits(isOutside & (isKnown | isOutsideReversed)) & ((1u << count) - 1);
+        if (left == 0)
+        {
+            return 0;
+        }
+
+        // Triangles near the apex or behind it, and those whose volume is uncertain, are left to the exact test.
+        Double4 isBefore = Double4.Less(Double4.Of(pencil.Size * Rounding), Double4.Min(Double4.Min(z0, z1), z2)) & Double4.Less(volumeError * Double4.Of(Certainty), size);
+        Store(columns, SumError, sumError * Double4.Of(3 * (1 + Rounding)));
+        Store(columns, VolumeLow, (size - volumeError) * Double4.Of(1 - Rounding));
+        Store(columns, VolumeHigh, Double4.Select(isBefore, (size + volumeError) * Double4.Of(1 + Rounding), Double4.Of(double.PositiveInfinity)));
+        uint unknown = left & ~Double4.Bits(isKnown);
+        if (unknown != 0)
+        {
+            Forget(columns, unknown);
+        }
+
+        return left;
+    }
+
+    /// <summary>Writes edge functions that are positive everywhere for triangles of which nothing is known, so that the exact test decides: which side of them the apex is on is open.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Forget(float* columns, uint unknown)
+    {
+        for (; unknown != 0; unknown &= unknown - 1)
+        {
+            float* own = columns + BitOperations.TrailingZeroCount(unknown);
+            for (int edge = 0; edge < 3; edge++, own += EdgeNumbers * Most)
+            {
+                own[EdgeX * Most] = own[EdgeY * Most] = 0;
+                own[EdgeMiddle * Most] = own[EdgeError * Most];
+            }
+
+            own[(VolumeLow - (3 * EdgeNumbers)) * Most] = float.NegativeInfinity;
+        }
+    }
+
+    /// <summary>A vertex of each of four triangles, relative to the apex.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Vertices<P>(in RayPencil pencil, P positions, int a, int b, int c, int d, out Double4 x, out Double4 y, out Double4 z)
+        where P : struct, IMeshPositions
+    {
+        Double4.Turn(positions.Row<Double4>(a), positions.Row<Double4>(b), positions.Row<Double4>(c), positions.Row<Double4>(d), out Double4 first, out Double4 second, out Double4 third);
+        (x, y, z) = pencil.Axis == 2 ? (first, second, third) : pencil.Axis == 1 ? (third, first, second) : (second, third, first);
+        x -= Double4.Of(pencil.ApexX);
+        y -= Double4.Of(pencil.ApexY);
+        z = (z - Double4.Of(pencil.ApexZ)) * Double4.Of(pencil.Sign);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Store(float* columns, int column, Double4 numbers) => ((Float4*)columns)[column] = Double4.ToSingle(numbers);
+
+    /// <summary>a d - b c.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Double4 Minor(Double4 a, Double4 d, Double4 b, Double4 c) => Double4.Fma(a, d, -(b * c));
+
+    /// <summary>Computes and writes one edge function: the scalar product of direction and cross product of two vertices.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void AddEdge(
+        in RayPencil pencil, Double4 sign, Double4 x1, Double4 y1, Double4 z1, Double4 x2, Double4 y2, Double4 z2, float* columns,
+        ref Double4 isOutside, ref Double4 isOutsideReversed, ref Double4 sumError)
+    {
+        Double4 x = Minor(y1, z2, z1, y2) ^ sign, y = Minor(z1, x2, x1, z2) ^ sign, z = Minor(x1, y2, y1, x2) ^ sign;
+        Double4 middle = Double4.Fma(x, Double4.Of(pencil.MiddleX), Double4.Fma(y, Double4.Of(pencil.MiddleY), z));
+        Double4 span = Double4.Fma(Double4.Abs(x), Double4.Of(pencil.SpreadX), Double4.Abs(y) * Double4.Of(pencil.SpreadY));
+        Double4 error = Double4.Fma(Double4.Abs(middle) + span, Double4.Of(Evaluation), Double4.Of(pencil.Slack));
+        Double4 raised = middle + error;
+        isOutside |= Double4.Less(raised + span, Double4.Zero);
+        isOutsideReversed |= Double4.Less(span + error, middle);
+        sumError += error;
+        Store(columns, EdgeX, x);
+        Store(columns, EdgeY, y);
+        Store(columns, EdgeMiddle, raised);
+        Store(columns, EdgeError, error + error);
+    }
+}

@@ -1,0 +1,30 @@
+namespace LabRaytracer;
+
+/// <summary>A pencil of rays: lines through one point, the apex, which are camera rays through the eye, or shadow rays through a lamp.</summary>
+/// <remarks>
+/// Axes are turned cyclically so that every direction is largest along z, and z points from the apex to where the rays are. A line is then apex + w (x, y, 1)
+/// with slopes x and y in [-1, 1], which all lines of a small part of a picture share but for a little: they are kept as a middle and small differences.
+/// </remarks>
+internal struct RayPencil
+{
+    /// <summary>The apex, with turned axes.</summary>
+    public double ApexX, ApexY, ApexZ;
+
+    /// <summary>Middle of the slopes.</summary>
+    public double MiddleX, MiddleY;
+
+    /// <summary>Largest differences of slopes from the middle.</summary>
+    public double SpreadX, SpreadY;
+
+    /// <summary>Which axis (0, 1, 2) has become z.</summary>
+    public int Axis;
+
+    /// <summary>-1 where z is reversed, else 1.</summary>
+    public double Sign;
+
+    /// <summary>No coordinate of rays and mesh, from the origin or from the apex, is larger in magnitude; nor the sum of a vertex's three and a ray's three.</summary>
+    public double Size;
+
+    /// <summary>Part of the error of an edge function (<see cref="PencilTriangles"/>) that is the same for all triangles.</summary>
+    public double Slack;
+}

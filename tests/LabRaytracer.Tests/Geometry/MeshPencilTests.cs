@@ -1,0 +1,161 @@
+namespace LabRaytracer.Tests;
+
+/// <summary>Rays through one point (<see cref="MeshPencil"/>): the hits of the test of every triangle, bit for bit.</summary>
+public class MeshPencilTests
+{
+    private const int Together = 16;
+
+    public static TheoryData<double, double, double> Places => new()
+    {
+        // Scale of the mesh, its distance from the origin, distance of the apex from its middle in radii.
+        { 1, 0, 4 }, { 1, 0, 0.3 }, { 1, 0, 1 }, { 1, 1000, 4 }, { 1, 0, 1000 }, { 1, 1e6, 3 }, { 1e-4, 0, 3 }, { 1e6, 0, 3 }, { 1e-9, 0, 3 }, { 1e12, 0, 3 },
+    };
+
+    [Theory]
+    [MemberData(nameof(Places))]
+    public void Nearest_RaysFromOnePoint_SameBitsAsEveryTriangle(double scale, double offset, double distance)
+    {
+        TriangleMesh ball = Ball(scale, offset, out Point3D[] vertices, out int[] corners);
+        foreach (Vector3D towards in (Vector3D[])[new(0.3, 0.5, 0.8), new(-1, 0.01, 0.02), new(0, -1, 0)])
+        {
+            Point3D apex = Middle(scale, offset) + (towards.Normalized() * (distance * scale));
+            Ray[] rays = [.. Targets(vertices, corners, 40).Select(target => new Ray(apex, (target - apex).Normalized()))];
+            AssertNearest(ball, rays);
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Places))]
+    public void Block_RaysToOnePoint_SameAsEveryTriangle(double scale, double offset, double distance)
+    {
+        TriangleMesh ball = Ball(scale, offset, out Point3D[] vertices, out int[] corners);
+        Point3D lamp = Middle(scale, offset) + (new Vector3D(0.3, -0.4, 0.8).Normalized() * (distance * scale));
+        AssertBlocked(ball, Targets(vertices, corners, 80), lamp);
+    }
+
+    [Fact]
+    public void Nearest_ApexInThePlanesOfTriangles_SameBits()
+    {
+        // Every triangle of this fan, and its mirror image, contains the apex or lies in a plane with it.
+        List<Point3D> points = [];
+        for (int i = 0; i < 40; i++)
+        {
+            double angle = 0.11 * i;
+            points.AddRange([new(Math.Cos(angle), Math.Sin(angle), 2), new(2 * Math.Cos(angle), 2 * Math.Sin(angle), 4), new(Math.Cos(angle + 1e-3), Math.Sin(angle + 1e-3), 3 + i)]);
+        }
+
+        points.AddRange([new(-90, -90, 50), new(90, -90, 50), new(0, 90, 50)]);
+        TriangleMesh mesh = new(points, MeshSamples.Numbers(points.Count));
+        Ray[] rays = [.. Targets([.. points], MeshSamples.Numbers(points.Count), 40).Select(target => new Ray(Point3D.Origin, (target - Point3D.Origin).Normalized()))];
+        AssertNearest(mesh, rays);
+    }
+
+    [Fact]
+    public void Nearest_SameTriangleTwice_SmallerNumberWins()
+    {
+        Point3D[] vertices = [new(-1, -1, 0), new(1, -1, 0), new(0, 1, 0)];
+        TriangleMesh mesh = new([.. vertices, .. vertices, .. vertices], [3, 4, 5, 0, 1, 2, 6, 7, 8, 3, 4, 5, 6, 7, 8]);
+        Point3D apex = new(0.1, 0.2, 3);
+        Ray[] rays = [.. Enumerable.Range(0, 64).Select(i => new Ray(apex, (new Point3D(-0.4 + (0.01 * i), -0.3, 0) - apex).Normalized()))];
+        AssertNearest(mesh, rays);
+        Assert.All(MeshHits<Double16, Float16, Int16>.ByTree(mesh, rays), hit => Assert.Equal(0, hit.Part));
+    }
+
+    [Theory]
+    [InlineData(1e-5)]
+    [InlineData(0.05)]
+    [InlineData(1.5)]
+    public void NearestAndBlock_SoupOfTriangles_Same(double size)
+    {
+        TriangleMesh soup = MeshSamples.Soup(400, size, new Vector3D(1, -2, 3), 5);
+        Point3D[] vertices = [.. Enumerable.Range(0, 1200).Select(i => soup.Data.Position(i / 3, i % 3))];
+        Point3D apex = new(1.5, -1, 6);
+        Point3D[] targets = Targets(vertices, MeshSamples.Numbers(1200), 100);
+        AssertNearest(soup, [.. targets.Select(target => new Ray(apex, (target - apex).Normalized()))]);
+        AssertBlocked(soup, targets, apex);
+    }
+
+    [Fact]
+    public void Block_SourceTriangle_DoesNotBlockItsOwnRays()
+    {
+        TriangleMesh ball = Ball(1, 0, out Point3D[] vertices, out int[] corners);
+        Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(0, 0, 5), Point3D.Origin, 40) };
+        scene.Add(ball, new Material());
+        scene.Lights.Add(new PointLight(new Point3D(2, 3, 6), Intensity.White));
+        Picture inDoubles = Rendered(scene, Precision.Double), inFloats = Rendered(scene, Precision.Single);
+
+        // Floats do not go this way; a triangle in its own shadow would be black in one of both.
+        int differing = 0;
+        for (int y = 0; y < 64; y++)
+        {
+            for (int x = 0; x < 64; x++)
+            {
+                differing += Math.Abs(inDoubles[x, y].G - inFloats[x, y].G) > 0.05f ? 1 : 0;
+            }
+        }
+
+        Assert.InRange(differing, 0, 4);
+    }
+
+    private static Picture Rendered(Scene scene, Precision precision) =>
+        Renderer.Render(scene, new RenderOptions { Width = 64, Height = 64, Threads = 1, Precision = precision }).Picture;
+
+    private static Point3D Middle(double scale, double offset) => new(offset * scale, -0.5 * offset * scale, 0.25 * offset * scale);
+
+    private static TriangleMesh Ball(double scale, double offset, out Point3D[] vertices, out int[] corners)
+    {
+        MeshSamples.BumpyBall(3, 21, out Point3D[] unit, out corners);
+        vertices = [.. unit.Select(vertex => Middle(scale, offset) + (vertex.ToVector() * scale))];
+        return new TriangleMesh(vertices, corners);
+    }
+
+    /// <summary>Groups of points, each around one triangle: its vertices and places on its edges exactly, close by, and inside.</summary>
+    private static Point3D[] Targets(Point3D[] vertices, int[] corners, int groups)
+    {
+        Random random = new(17);
+        List<Point3D> targets = [];
+        for (int group = 0; group < groups; group++)
+        {
+            int first = 3 * random.Next(corners.Length / 3);
+            Point3D a = vertices[corners[first]];
+            Vector3D b = vertices[corners[first + 1]] - a, c = vertices[corners[first + 2]] - a;
+            for (int i = 0; i < Together; i++)
+            {
+                (double u, double v) = i switch
+                {
+                    0 => (0, 0), 1 => (1, 0), 2 => (0, 1), 3 => (0.5, 0), 4 => (0, 0.5), 5 => (0.5, 0.5), 6 => (0.5, 1e-9), 7 => (-1e-9, 0.5), 8 => (1e-15, 0.25),
+                    _ => ((1.4 * random.NextDouble()) - 0.2, (1.4 * random.NextDouble()) - 0.2),
+                };
+                targets.Add(a + (b * u) + (c * v));
+            }
+        }
+
+        return [.. targets];
+    }
+
+    private static void AssertNearest(TriangleMesh mesh, Ray[] rays)
+    {
+        MeshHit[] expected = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays);
+        Assert.Contains(expected, hit => hit.T > 0);
+        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.ByTree(mesh, rays));
+        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.ByTree(mesh, rays));
+        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.ByTree(mesh, rays));
+
+        // A limit among the hits.
+        double limit = expected.Where(hit => hit.T > 0).Select(hit => hit.T).Order().ElementAt(expected.Count(hit => hit.T > 0) / 2);
+        MeshHit[] near = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays, limit);
+        Assert.Equal(near, MeshHits<Double8, Float8, Int8>.ByTree(mesh, rays, limit));
+    }
+
+    private static void AssertBlocked(TriangleMesh mesh, Point3D[] origins, Point3D lamp)
+    {
+        Ray[] rays = [.. origins.Select(origin => new Ray(origin, (lamp - origin).Normalized()))];
+        double[] limits = [.. origins.Select((origin, i) => i % 5 == 4 ? -1 : (lamp - origin).Length)];
+        MeshHit[] hits = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays);
+        bool[] expected = [.. hits.Select((hit, i) => hit.T > 0 && hit.T < limits[i])];
+        Assert.Contains(true, expected);
+        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.Blocked(mesh, rays, limits));
+        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.Blocked(mesh, rays, limits));
+        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.Blocked(mesh, rays, limits));
+    }
+}
