@@ -8,20 +8,37 @@ namespace LabRaytracer;
 /// <typeparam name="R1">One lane of it.</typeparam>
 /// <typeparam name="P">How positions are stored.</typeparam>
 /// <typeparam name="TSink">What happens to hits.</typeparam>
-internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, P positions, in RayLanes<Q> ray, R1 limit, R1 toFloat, TSink sink) : IBvhWideLeaf
+internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, P positions) : IBvhWideLeaf
     where Q : unmanaged, IQuad<Q>
     where R1 : unmanaged, ILane<R1, Float1, Int1>
     where P : struct, IMeshPositions
     where TSink : struct, IMeshSink<R1>
 {
     /// <summary>What was found.</summary>
-    public TSink Sink = sink;
+    public TSink Sink;
 
-    private readonly RayLanes<Q> _source = ray;
-    private readonly R1 _toFloat = toFloat;
-    private R1 _limit = limit;
+    private RayLanes<Q> _source;
+    private R1 _toFloat;
+    private R1 _limit;
     private WatertightRay<Q> _ray;
     private bool _isPrepared;
+
+    /// <summary>Goes on with another ray, one lane of a group: the same leaf serves many, as its size makes it slow to create.</summary>
+    /// <returns>The ray's limit in the units of boxes.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public float Aim<R, F, I>(in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, int lane)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        _source = new RayLanes<Q>(
+            Q.Of(Get(ray.OriginX, lane)), Q.Of(Get(ray.OriginY, lane)), Q.Of(Get(ray.OriginZ, lane)),
+            Q.Of(Get(ray.DirectionX, lane)), Q.Of(Get(ray.DirectionY, lane)), Q.Of(Get(ray.DirectionZ, lane)));
+        _limit = R1.Of(Get(boxRay.Limit, lane));
+        _toFloat = R1.Of(Get(boxRay.ToFloat, lane));
+        _isPrepared = false;
+        return (float)Float1.Get(BvhRay<R1, Float1, Int1>.LimitOf(_limit, _toFloat), 0);
+    }
 
     public void Visit(int first, int count, float* box, ref float limit)
     {
@@ -39,6 +56,10 @@ internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, 
             limit = (float)Float1.Get(BvhRay<R1, Float1, Int1>.LimitOf(_limit, _toFloat), 0);
         }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Get<R>(in R lanes, int lane)
+        where R : unmanaged, IReal<R> => Lane.Take((R*)Unsafe.AsPointer(ref Unsafe.AsRef(in lanes)), lane);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private bool Take(MeshTriangle* triangle, uint hits, in Q t, in Q weight1, in Q weight2)

@@ -4,30 +4,33 @@ namespace LabRaytracer;
 
 /// <summary>A pencil of rays against eight boxes at a time: the four planes around it, and the nearest and farthest z of interest.</summary>
 /// <remarks>
-/// A box lies outside of the plane x = s z through the apex if its corner that is farthest inside does; which one that is depends on the sign of s alone.
-/// All floats here are rounded by less than 2^-22 of the pencil's size, twice that is the margin; the triangle test sees points at most 2^-49 of it beside a line.
+/// A box lies outside of a plane through the apex, x = s z or y - k x = s z with the pencil's shear k, if its corner that is farthest inside does; which one that is depends
+/// on the signs of s and k alone. Floats here are rounded by less than 2^-21 of the pencil's size, four times that is the margin; the triangle test sees points at most
+/// 2^-49 of it beside a line.
 /// </remarks>
 internal readonly unsafe struct PencilBoxes : IBvhWideTest
 {
     private const int Across = 3 * BvhWideNode.Width;
-    private const double Margin = 1.0 / (1 << 21);
-    private readonly Float8 _lowX, _highX, _lowY, _highY;
+    private const double Margin = 1.0 / (1 << 19);
+    private readonly Float8 _lowX, _highX, _lowY, _highY, _shear;
     private readonly Float8 _lowXLimit, _highXLimit, _lowYLimit, _highYLimit;
     private readonly Float8 _sign, _nearest, _farthest;
-    private readonly int _atX, _atY, _atLowX, _atHighX, _atLowY, _atHighY, _atNear, _atFar;
+    private readonly int _atX, _atY, _atLowX, _atHighX, _atLowY, _atHighY, _atLowShear, _atHighShear, _atNear, _atFar;
 
     /// <param name="pencil">The rays, measured.</param>
     /// <param name="tree">Where the tree is.</param>
     public PencilBoxes(in RayPencil pencil, in BvhFrame tree)
     {
         int axisX = (pencil.Axis + 1) % 3, axisY = (pencil.Axis + 2) % 3, z = pencil.Axis * BvhWideNode.Width;
-        double centerX = Center(tree, axisX), centerY = Center(tree, axisY), centerZ = Center(tree, pencil.Axis), margin = pencil.Size * Margin;
-        double x = pencil.ApexX - centerX, y = pencil.ApexY - centerY, apexZ = pencil.ApexZ - centerZ;
+        double margin = pencil.Size * Margin;
+        double x = pencil.ApexX - Center(tree, axisX), y = pencil.ApexY - Center(tree, axisY) - (pencil.Shear * x), apexZ = pencil.ApexZ - Center(tree, pencil.Axis);
         (_atX, _atY) = (axisX * BvhWideNode.Width, axisY * BvhWideNode.Width);
         SetPlane(pencil.Sign * (pencil.MiddleX - pencil.SpreadX), x, apexZ, -margin, z, z + Across, out _lowX, out _lowXLimit, out _atLowX);
         SetPlane(pencil.Sign * (pencil.MiddleX + pencil.SpreadX), x, apexZ, margin, z + Across, z, out _highX, out _highXLimit, out _atHighX);
         SetPlane(pencil.Sign * (pencil.MiddleY - pencil.SpreadY), y, apexZ, -margin, z, z + Across, out _lowY, out _lowYLimit, out _atLowY);
         SetPlane(pencil.Sign * (pencil.MiddleY + pencil.SpreadY), y, apexZ, margin, z + Across, z, out _highY, out _highYLimit, out _atHighY);
+        _shear = Float8.Of(-pencil.Shear);
+        (_atLowShear, _atHighShear) = pencil.Shear > 0 ? (_atX, _atX + Across) : (_atX + Across, _atX);
         _sign = Float8.Of(pencil.Sign);
         _nearest = Float8.Of(-(pencil.Sign * apexZ) - margin);
         _farthest = Float8.Of(-(pencil.Sign * apexZ) + margin);
@@ -39,10 +42,11 @@ internal readonly unsafe struct PencilBoxes : IBvhWideTest
     {
         near = Float8.Max(Float8.Fma(At(planes, _atNear), _sign, _nearest), Float8.Zero);
         Float8 far = Float8.Fma(At(planes, _atFar), _sign, _farthest);
+        Float8 lowY = Float8.Fma(At(planes, _atLowShear), _shear, At(planes, _atY + Across)), highY = Float8.Fma(At(planes, _atHighShear), _shear, At(planes, _atY));
         Float8 inside = Float8.LessOrEqual(_lowXLimit, Float8.Fma(At(planes, _atLowX), _lowX, At(planes, _atX + Across)))
             & Float8.LessOrEqual(Float8.Fma(At(planes, _atHighX), _highX, At(planes, _atX)), _highXLimit)
-            & Float8.LessOrEqual(_lowYLimit, Float8.Fma(At(planes, _atLowY), _lowY, At(planes, _atY + Across)))
-            & Float8.LessOrEqual(Float8.Fma(At(planes, _atHighY), _highY, At(planes, _atY)), _highYLimit);
+            & Float8.LessOrEqual(_lowYLimit, Float8.Fma(At(planes, _atLowY), _lowY, lowY))
+            & Float8.LessOrEqual(Float8.Fma(At(planes, _atHighY), _highY, highY), _highYLimit);
         return Float8.Bits(inside & Float8.LessOrEqual(near, Float8.Min(far, Float8.Of(limit))));
     }
 

@@ -54,7 +54,7 @@ internal static unsafe class PencilFinder
             return false;
         }
 
-        Measure(lanes, count, ref pencil);
+        Measure(lanes, count, endsAtApex, ref pencil);
         return true;
     }
 
@@ -113,7 +113,7 @@ internal static unsafe class PencilFinder
         // An origin is at most sqrt(3) times its way along the largest axis from the apex; its coordinates add up to three times that. The points at the limits are rounded.
         pencil.Size = mesh.Size + Math.Abs(apex.X) + Math.Abs(apex.Y) + Math.Abs(apex.Z) + (3 * way);
         double beside = way == 0 ? 0 : deviation + (pencil.Size * 1.7763568394002505e-15);
-        pencil.Slack = pencil.Size * ((pencil.Size * 2.8421709430404007e-14) + (64 * beside));
+        pencil.Slack = pencil.Size * ((pencil.Size * 1.1368683772161603e-13) + (256 * beside));
     }
 
     private static void Turn(int axis, Point3D apex, Vector3D direction, out double x, out double y, out double z, out double along) =>
@@ -121,17 +121,28 @@ internal static unsafe class PencilFinder
             : axis == 1 ? (apex.Z, apex.X, apex.Y, direction.Y)
             : (apex.Y, apex.Z, apex.X, direction.X);
 
-    /// <summary>Slopes of the rays, their middle and spread.</summary>
-    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, ref RayPencil pencil)
+    /// <summary>Slopes of the rays, their middle and spread. Those of a camera are upright already, those of a lamp are not.</summary>
+    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, bool isSheared, ref RayPencil pencil)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        // The largest of x and -x, and of y and -y.
-        F largestX = F.Of(-2), largestY = largestX, leastX = largestX, leastY = largestX;
+        SlopeSums<R> sums = default;
         for (int packet = 0; packet < count; packet++)
         {
-            SetSlopes(lanes + packet, pencil, ref leastX, ref largestX, ref leastY, ref largestY);
+            SetSlopes(lanes + packet, pencil);
+            if (isSheared)
+            {
+                sums.Add(lanes[packet].FullX, lanes[packet].FullY, R.Less(R.Zero, lanes[packet].Limit));
+            }
+        }
+
+        // The largest of x and -x, and of y and -y.
+        pencil.Shear = isSheared ? sums.Shear : 0;
+        F largestX = F.Of(-9), largestY = largestX, leastX = largestX, leastY = largestX;
+        for (int packet = 0; packet < count; packet++)
+        {
+            Bound(lanes + packet, pencil.Shear, ref leastX, ref largestX, ref leastY, ref largestY);
         }
 
         (double lowX, double highX, double lowY, double highY) = (-F.Largest(leastX), F.Largest(largestX), -F.Largest(leastY), F.Largest(largestY));
@@ -150,17 +161,27 @@ internal static unsafe class PencilFinder
 
     /// <summary>Slopes of a group of lanes, and their pace.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SetSlopes<R, F, I>(PencilLanes<R, F, I>* lanes, in RayPencil pencil, ref F leastX, ref F largestX, ref F leastY, ref F largestY)
+    private static void SetSlopes<R, F, I>(PencilLanes<R, F, I>* lanes, in RayPencil pencil)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        RayLanes<R>* ray = &lanes->Ray;
-        R* direction = &ray->DirectionX;
-        R z = direction[pencil.Axis], inverse = R.Of(pencil.Sign) / z, x = direction[(pencil.Axis + 1) % 3] * inverse, y = direction[(pencil.Axis + 2) % 3] * inverse;
+        R* direction = &lanes->Ray.DirectionX;
+        R z = direction[pencil.Axis], inverse = R.Of(pencil.Sign) / z;
         lanes->Pace = R.Abs(z);
-        (lanes->FullX, lanes->FullY) = (x, y);
-        F isOn = R.MaskToSingle(R.Less(R.Zero, lanes->Limit)), slopeX = R.ToSingle(x), slopeY = R.ToSingle(y), least = F.Of(-2);
+        lanes->FullX = direction[(pencil.Axis + 1) % 3] * inverse;
+        lanes->FullY = direction[(pencil.Axis + 2) % 3] * inverse;
+    }
+
+    /// <summary>Shears slopes and includes them in bounds.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Bound<R, F, I>(PencilLanes<R, F, I>* lanes, double shear, ref F leastX, ref F largestX, ref F leastY, ref F largestY)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        lanes->FullY = R.Fma(R.Of(-shear), lanes->FullX, lanes->FullY);
+        F isOn = R.MaskToSingle(R.Less(R.Zero, lanes->Limit)), slopeX = R.ToSingle(lanes->FullX), slopeY = R.ToSingle(lanes->FullY), least = F.Of(-9);
         largestX = F.Max(F.Select(isOn, slopeX, least), largestX);
         largestY = F.Max(F.Select(isOn, slopeY, least), largestY);
         leastX = F.Max(F.Select(isOn, -slopeX, least), leastX);

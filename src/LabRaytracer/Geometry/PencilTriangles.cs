@@ -11,7 +11,7 @@ namespace LabRaytracer;
 /// Shoemake, "Pluecker coordinate tutorial", Ray Tracing News 11(1), 1998.</para>
 /// <para>Error bound of an edge function, against the sign that <see cref="WatertightTriangle"/> finds in doubles (u = 2^-24, D the size of the pencil): the evaluation in floats
 /// 8 u (|middle| + span); the set-up 2^-47 D^2; the test's own sheared vertices, each wrong by up to 2^-51 D, times how far vertices are beside the rays,
-/// 2^-47 D^2; lines that pass the apex, 32 D times how far. The last three are doubled.</para>
+/// 2^-47 D^2; lines that pass the apex, 32 D times how far. The last three are multiplied by 8, as much as shearing may add, and more.</para>
 /// </remarks>
 internal static unsafe class PencilTriangles
 {
@@ -116,7 +116,8 @@ internal static unsafe class PencilTriangles
         in RayPencil pencil, Double4 sign, Double4 x1, Double4 y1, Double4 z1, Double4 x2, Double4 y2, Double4 z2, float* columns,
         ref Double4 isOutside, ref Double4 isOutsideReversed, ref Double4 sumError)
     {
-        Double4 x = Minor(y1, z2, z1, y2) ^ sign, y = Minor(z1, x2, x1, z2) ^ sign, z = Minor(x1, y2, y1, x2) ^ sign;
+        Double4 y = Minor(z1, x2, x1, z2) ^ sign, z = Minor(x1, y2, y1, x2) ^ sign;
+        Double4 x = Double4.Fma(y, Double4.Of(pencil.Shear), Minor(y1, z2, z1, y2) ^ sign);
         Double4 middle = Double4.Fma(x, Double4.Of(pencil.MiddleX), Double4.Fma(y, Double4.Of(pencil.MiddleY), z));
         Double4 span = Double4.Fma(Double4.Abs(x), Double4.Of(pencil.SpreadX), Double4.Abs(y) * Double4.Of(pencil.SpreadY));
         Double4 error = Double4.Fma(Double4.Abs(middle) + span, Double4.Of(Evaluation), Double4.Of(pencil.Slack));

@@ -7,10 +7,16 @@ namespace LabRaytracer;
 /// </remarks>
 internal struct RayPencil
 {
+    /// <summary>More than this is not sheared.</summary>
+    public const double LargestShear = 4;
+
     /// <summary>The apex, with turned axes.</summary>
     public double ApexX, ApexY, ApexZ;
 
-    /// <summary>Middle of the slopes.</summary>
+    /// <summary>Multiple of a line's slope along x that is subtracted from its slope along y, [-<see cref="LargestShear"/>, <see cref="LargestShear"/>]: pencils are seldom upright.</summary>
+    public double Shear;
+
+    /// <summary>Middle of the slopes, sheared.</summary>
     public double MiddleX, MiddleY;
 
     /// <summary>Largest differences of slopes from the middle.</summary>

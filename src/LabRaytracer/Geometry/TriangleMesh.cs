@@ -73,7 +73,7 @@ public sealed class TriangleMesh : Shape
         RayLanes<Double1> lanes = Lanes(ray);
         if (MeshSearch.Prepare(tree, lanes, t, out BvhRay<Double1, Float1, Int1> boxRay))
         {
-            MeshSingle.Run<Double1, Float1, Int1, Double4, Double1, MeshNearestSink<Double1, Float1, Int1>>(Data, tree, lanes, boxRay, 0, ref sink);
+            MeshSingle.Run<Double1, Float1, Int1, Double4, Double1, MeshNearestSink<Double1, Float1, Int1>, MeshOneSink>(Data, tree, lanes, boxRay, new(sink));
         }
 
         GC.KeepAlive(this);
