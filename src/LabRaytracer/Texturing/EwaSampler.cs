@@ -6,9 +6,9 @@ namespace LabRaytracer;
 /// <typeparam name="TReader">Reads the store's format.</typeparam>
 /// <remarks>
 /// <para>Pixels are squares, whose footprints are parallelograms; their ellipses give errors more than twice as large (docs/filtering.md). See <see cref="EwaKernel"/> for the weights.</para>
-/// <para>The level is the smallest of the pyramid whose texels are not larger than half the shorter axis of the footprint if that is at least a quarter of the longer axis, than the
-/// shorter axis if it is at most an eighth, than an eighth of the longer axis between: texels as large as the footprint blur it as much again, half as large a fifth as much, and
-/// short footprints can afford it. The shorter axis counts as at least 1/64 of the longer one. So a footprint is at most 16 texels long if it is up to eight times as long as wide,
+/// <para>The level is the smallest of the pyramid whose texels are not larger than half the shorter axis of the footprint if that is at least an eighth of the longer axis, than the
+/// shorter axis if it is at most a sixteenth, than a sixteenth of the longer axis between: texels as large as the footprint blur it as much again, half as large a fifth as much, and
+/// short footprints can afford it. The shorter axis counts as at least 1/64 of the longer one. So a footprint is at most 32 texels long if it is up to sixteen times as long as wide,
 /// and 2 wide and 128 long at most, plus the reach of its weights: at most 264 rows, of which a sample reads a few texels each.</para>
 /// <para>Footprints not longer than a texel are bilinear; up to twice as long, a mix of both.</para>
 /// <para>The sums run over blocks of four texels of two rows, the same on every machine.</para>
@@ -218,7 +218,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         {
             F area = F.Fma(_ax, _by, -(_ay * _bx)), shorter = area * area / LongerSquare, least = LongerSquare * F.Of(1.0 / (MaxAnisotropy * MaxAnisotropy));
             isTooLong = F.Less(shorter, least) & F.Less(F.Of(4), least);
-            F size = F.Min(shorter, F.Max(shorter * F.Of(1.0 / 4), LongerSquare * F.Of(1.0 / 64)));
+            F size = F.Min(shorter, F.Max(shorter * F.Of(1.0 / 4), LongerSquare * F.Of(1.0 / 256)));
             F level = F.Floor(F.Exponent(F.Max(F.Max(size, least), F.Of(1))) * F.Of(0.5));
             return F.Max(F.Min(level, F.Of(last)), F.Zero);
         }
