@@ -5,4 +5,5 @@ namespace RenderScene;
 /// <param name="Variant">What differs, such as the number of samples.</param>
 /// <param name="Seconds">Least time of the picture path, one thread.</param>
 /// <param name="Rmse">Root mean square error of linear light, over all pixels and components.</param>
-internal sealed record FrontierPoint(string Series, string Variant, double Seconds, double Rmse);
+/// <param name="InnerRmse">The same over pixels inside objects, where textures alone make the error; see <see cref="InnerPixels"/>.</param>
+internal sealed record FrontierPoint(string Series, string Variant, double Seconds, double Rmse, double InnerRmse);

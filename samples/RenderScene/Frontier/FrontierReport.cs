@@ -15,13 +15,13 @@ internal static class FrontierReport
     public static void Write(string folder, string name, string title, string remark, IReadOnlyList<FrontierPoint> points)
     {
         Directory.CreateDirectory(folder);
-        StringBuilder table = new(), values = new("series,variant,seconds,rmse\n");
-        Line(table, $"# {title}\n\n{remark}\n\n![time against error]({name}.svg)\n\n| way | how | seconds | RMSE | |\n|---|---|---|---|---|");
+        StringBuilder table = new(), values = new("series,variant,seconds,rmse,innerRmse\n");
+        Line(table, $"# {title}\n\n{remark}\n\n![time against error]({name}.svg)\n\n| way | how | seconds | RMSE | inside objects | |\n|---|---|---|---|---|---|");
         foreach (FrontierPoint point in points)
         {
             string mark = points.Any(other => IsBetter(other, point)) ? "" : "frontier";
-            Line(table, $"| {point.Series} | {point.Variant} | {point.Seconds:0.0000} | {point.Rmse:0.00000} | {mark} |");
-            Line(values, $"{Quoted(point.Series)},{Quoted(point.Variant)},{point.Seconds:G6},{point.Rmse:G6}");
+            Line(table, $"| {point.Series} | {point.Variant} | {point.Seconds:0.0000} | {point.Rmse:0.00000} | {point.InnerRmse:0.00000} | {mark} |");
+            Line(values, $"{Quoted(point.Series)},{Quoted(point.Variant)},{point.Seconds:G6},{point.Rmse:G6},{point.InnerRmse:G6}");
         }
 
         File.WriteAllText(Path.Combine(folder, $"{name}.md"), table.ToString());

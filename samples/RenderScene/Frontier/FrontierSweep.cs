@@ -15,6 +15,8 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
 
     private static readonly double[] s_budgets = [0.05, 0.02, 0.01, 0.005];
 
+    private InnerPixels? _inner;
+
     /// <summary>The converged picture, from a file if it is there and younger than the scene, else rendered and kept.</summary>
     /// <param name="samples">Samples a pixel, a square number.</param>
     /// <param name="scenePath">The scene file.</param>
@@ -53,18 +55,25 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
         return points;
     }
 
+    /// <summary>The pixels that no edge of an object crosses.</summary>
+    public InnerPixels Inner => _inner ??= new InnerPixels(Renderer.Render(
+        scene.Scene, new RenderOptions { Width = width, Height = height, View = RenderView.Object, Threads = 1 }).Picture);
+
     /// <summary>Root mean square error of linear light, over all pixels and components.</summary>
     public static double Rmse(Picture a, Picture b)
     {
         double sum = 0;
         for (int i = 0; i < a.Pixels.Length; i++)
         {
-            Intensity difference = a.Pixels[i] - b.Pixels[i];
-            sum += ((double)difference.R * difference.R) + ((double)difference.G * difference.G) + ((double)difference.B * difference.B);
+            sum += Square(a.Pixels[i] - b.Pixels[i]);
         }
 
         return Math.Sqrt(sum / (3.0 * a.Pixels.Length));
     }
+
+    /// <summary>Sum of the squares of a difference's components.</summary>
+    public static double Square(Intensity difference) =>
+        ((double)difference.R * difference.R) + ((double)difference.G * difference.G) + ((double)difference.B * difference.B);
 
     private IEnumerable<(string Series, string Variant, RenderOptions Options)> Ways()
     {
@@ -122,14 +131,15 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
     /// <summary>The shortest of a few renders: the first one compiles code.</summary>
     private FrontierPoint Measure(string series, string variant, RenderOptions options, Picture converged, CancellationToken stop)
     {
-        double seconds = double.PositiveInfinity, rmse = 0;
+        double seconds = double.PositiveInfinity, rmse = 0, innerRmse = 0;
         for (int repeat = 0; repeat < Repeats; repeat++)
         {
             RenderResult result = Renderer.Render(scene.Scene, options, cancellation: stop);
             seconds = Math.Min(seconds, result.Statistics.RenderSeconds);
             rmse = Rmse(result.Picture, converged);
+            innerRmse = Inner.Rmse(result.Picture, converged);
         }
 
-        return new FrontierPoint(series, variant, seconds, rmse);
+        return new FrontierPoint(series, variant, seconds, rmse, innerRmse);
     }
 }

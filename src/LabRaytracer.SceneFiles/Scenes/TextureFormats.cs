@@ -58,7 +58,7 @@ internal static class TextureFormats
             new("imageTexture", "A picture file.", [s_file, s_filter, s_texels, s_wrapU, s_wrapV, s_colorSpace], Open, ("type", "image")),
             new("constantTexture", "The same colour everywhere.", [s_color], fields => new ConstantTexture(fields.Get(s_color)), ("type", "constant")),
             new("checkerTexture", "A checkerboard.", [s_even, s_odd, s_columns, s_rows, s_space, s_lineWidth, s_line, s_patternFilter], Checker, ("type", "checker")),
-            new("gridTexture", "The numbered test grid of the lab sheet.", [s_gridColumns, s_gridRows, s_gridLine], Grid, ("type", "grid")),
+            new("gridTexture", "The numbered test grid of the lab sheet.", [s_gridColumns, s_gridRows, s_gridLine, s_patternFilter], Grid, ("type", "grid")),
         ],
         () => ProceduralFormats.All);
 
@@ -100,6 +100,6 @@ internal static class TextureFormats
 
     private static GridTexture Grid(Fields fields) => new()
     {
-        Columns = fields.Get(s_gridColumns), Rows = fields.Get(s_gridRows), LineWidth = fields.Get(s_gridLine),
+        Columns = fields.Get(s_gridColumns), Rows = fields.Get(s_gridRows), LineWidth = fields.Get(s_gridLine), Filter = fields.Get(s_patternFilter),
     };
 }

@@ -5,7 +5,6 @@ namespace LabRaytracer;
 /// <summary>The texels of one level of a pyramid, anywhere: beyond the edges lies what the wraps put there.</summary>
 internal readonly unsafe struct EwaLevel
 {
-    private readonly MipPyramid _pyramid;
     private readonly TextureWrap _wrapU, _wrapV;
     private readonly int _start, _stride;
 
@@ -16,14 +15,13 @@ internal readonly unsafe struct EwaLevel
     /// <param name="wrapV">What lies beyond the rows.</param>
     public EwaLevel(MipPyramid pyramid, int level, int pictureStart, TextureWrap wrapU, TextureWrap wrapV)
     {
-        _pyramid = pyramid;
         _wrapU = wrapU;
         _wrapV = wrapV;
         Width = pyramid.Widths[level];
         Height = pyramid.Heights[level];
         bool isPacked = level == 0 && !pyramid.HasPicture;
         _start = isPacked ? pictureStart : pyramid.Starts[level];
-        _stride = isPacked ? -Width : Width;
+        _stride = isPacked ? -Width : pyramid.Strides[level];
     }
 
     /// <summary>Columns of the level.</summary>
@@ -74,35 +72,27 @@ internal readonly unsafe struct EwaLevel
         return _start + (y * _stride);
     }
 
-    /// <summary>The column at which eight texels in a row start, if they lie side by side; else one that is too far to the right.</summary>
+    /// <summary>A column brought inside where that is done in one step: the others are left as they are.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Column(int x) => (uint)x < (uint)Width ? x : _wrapU == TextureWrap.Repeat ? Wrap(x, Width, TextureWrap.Repeat) : Width;
+    public int Column(int x) => (uint)x < (uint)Width || _wrapU != TextureWrap.Repeat ? x : Wrap(x, Width, TextureWrap.Repeat);
 
-    /// <summary>Element numbers of eight texels, each wrapped by itself.</summary>
-    /// <param name="row">Element number of the first texel of their row.</param>
-    /// <param name="x">Column of the first one, anywhere.</param>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public Int8 Apart(int row, int x)
+    /// <summary>A column brought inside.</summary>
+    public int Inside(int x) => Wrap(x, Width, _wrapU);
+
+    /// <summary>Element numbers of four texels of one row and four of another.</summary>
+    /// <param name="lower">Element number of the first texel of the first row.</param>
+    /// <param name="lowerX">Column in it, anywhere.</param>
+    /// <param name="upper">Element number of the first texel of the second row.</param>
+    /// <param name="upperX">Column in it, anywhere.</param>
+    public Int8 Eight(int lower, int lowerX, int upper, int upperX)
     {
-        int* texels = stackalloc int[Int8.Width];
-        for (int k = 0; k < Int8.Width; k++)
+        int* elements = stackalloc int[Int8.Width];
+        for (int k = 0; k < 4; k++)
         {
-            texels[k] = row + Wrap(x + k, Width, _wrapU);
+            elements[k] = lower + Wrap(lowerX + k, Width, _wrapU);
+            elements[k + 4] = upper + Wrap(upperX + k, Width, _wrapU);
         }
 
-        return Int8.Load(texels);
-    }
-
-    /// <summary>Reads eight texels of a level from 1 on, each wrapped by itself.</summary>
-    /// <param name="row">Element number of the first texel of their row.</param>
-    /// <param name="x">Column of the first one, anywhere.</param>
-    /// <param name="colors">Receives eight of red, then of green, then of blue.</param>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public void ReadApart(int row, int x, Float8* colors)
-    {
-        Int8 texels = Apart(row, x);
-        colors[0] = Float8.Gather((Float8*)_pyramid.Red, texels);
-        colors[1] = Float8.Gather((Float8*)_pyramid.Green, texels);
-        colors[2] = Float8.Gather((Float8*)_pyramid.Blue, texels);
+        return Int8.Load(elements);
     }
 }

@@ -2,19 +2,22 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>Elliptical weighted average: a weighted mean of the texels inside the ellipse of the footprint (Greene and Heckbert 1986).</summary>
+/// <summary>A weighted mean of the texels inside the footprint: what is called EWA (Greene and Heckbert 1986), with the parallelogram of the pixel in place of an ellipse.</summary>
 /// <typeparam name="TReader">Reads the store's format.</typeparam>
 /// <remarks>
-/// <para>The level is the smallest of the pyramid whose texels are not larger than the shorter side of the footprint, which counts as at least 1/64 of the longer one.
-/// So an ellipse is at most 2 texels wide at the shorter side and 128 at the longer one, plus the reach of its weights: at most 160 rows of 160 texels.</para>
+/// <para>Pixels are squares, whose footprints are parallelograms; their ellipses give errors more than twice as large (docs/filtering.md). See <see cref="EwaKernel"/> for the weights.</para>
+/// <para>The level is the smallest of the pyramid whose texels are not larger than half the shorter axis of the footprint if that is at least an eighth of the longer axis, than the
+/// shorter axis if it is at most a sixteenth, than a sixteenth of the longer axis between: texels as large as the footprint blur it as much again, half as large a fifth as much, and
+/// short footprints can afford it. The shorter axis counts as at least 1/64 of the longer one. So a footprint is at most 32 texels long if it is up to sixteen times as long as wide,
+/// and 2 wide and 128 long at most, plus the reach of its weights: at most 264 rows, of which a sample reads a few texels each.</para>
 /// <para>Footprints not longer than a texel are bilinear; up to twice as long, a mix of both.</para>
-/// <para>The sums run over texels of a row, eight at a time, the same on every machine.</para>
+/// <para>The sums run over blocks of four texels of two rows, the same on every machine.</para>
 /// </remarks>
 internal sealed unsafe class EwaSampler<TReader>(
     TexelStore store, float[]? table, TReader reader, SamplingOptions options, MipPyramid pyramid) : MipSampler<TReader>(store, table, reader, options, pyramid)
     where TReader : struct, ITexelReader
 {
-    /// <summary>The most that the longer side of a footprint may be of the shorter one.</summary>
+    /// <summary>The most that the longer axis of a footprint may be of the shorter one.</summary>
     public const int MaxAnisotropy = 64;
 
     [SkipLocalsInit]
@@ -23,8 +26,8 @@ internal sealed unsafe class EwaSampler<TReader>(
         F* sizes = stackalloc F[packets];
         for (int packet = 0; packet < packets; packet++)
         {
-            Shape<F> shape = new(lookups.Footprints, across, up, packet);
-            sizes[packet] = shape.Longer;
+            Sides<F> sides = new(lookups.Footprints, across, up, packet);
+            sizes[packet] = sides.LongerSquare;
         }
 
         Enlarge<R, F, I>(lookups, colors, sizes, 4, packets);
@@ -41,7 +44,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         CountFallbacks(fallbacks);
     }
 
-    /// <summary>Averages over the ellipses of some lanes.</summary>
+    /// <summary>Averages over the footprints of some lanes.</summary>
     /// <returns>How many were too long.</returns>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -50,27 +53,35 @@ internal sealed unsafe class EwaSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        Shape<F> shape = new(lookups.Footprints, across, up, packet);
+        Sides<F> sides = new(lookups.Footprints, across, up, packet);
+        F level = sides.Level(Pyramid.LevelCount - 1, out F isTooLong);
+        I number = F.ToInt32(level);
+        F columns = F.FromInt32(I.Gather(Pyramid.Widths, number)), rows = F.FromInt32(I.Gather(Pyramid.Heights, number));
+        F* numbers = stackalloc F[EwaKernel.Numbers + 2];
+        sides.Store(columns, rows, numbers);
+        numbers[EwaKernel.Numbers] = level;
+        numbers[EwaKernel.Numbers + 1] = F.Min((sides.LongerSquare - F.Of(1)) * F.Of(1.0 / 3), F.Of(1));
         R u = lookups.Coordinates.U[packet], v = lookups.Coordinates.V[packet];
         R* places = stackalloc R[2];
-        places[0] = Place(across, u);
-        places[1] = Place(up, v);
+        places[0] = R.Fma(Place(across, u), R.FromSingle(columns), R.Of(-0.5));
+        places[1] = R.Fma(Place(up, v), R.FromSingle(rows), R.Of(-0.5));
         large &= ~R.Bits(across.Outside(u) | up.Outside(v));
-        F* numbers = stackalloc F[6];
-        shape.Store(numbers, Pyramid.LevelCount - 1);
-        float* n = (float*)numbers;
         int first = packet * F.Width, width = F.Width;
         for (uint open = large; open != 0; open &= open - 1)
         {
-            int lane = System.Numerics.BitOperations.TrailingZeroCount(open);
-            int level = (int)n[(3 * width) + lane];
-            Require(level);
-            Intensity mean = Mean(level, across.Wrap, up.Wrap, n + lane, width, R.Take(places, lane), R.Take(places + 1, lane));
-            float share = n[(4 * width) + lane];
+            int lane = System.Numerics.BitOperations.TrailingZeroCount(open), next = System.Numerics.BitOperations.TrailingZeroCount(open & (open - 1));
+            float* n = (float*)numbers + lane;
+            if (next < width)
+            {
+                Prefetch((int)n[(EwaKernel.Numbers * width) + next - lane], new EwaKernel(n + next - lane, width, R.Take(places, next), R.Take(places + 1, next)));
+            }
+
+            Intensity mean = Mean((int)n[EwaKernel.Numbers * width], across.Wrap, up.Wrap, new EwaKernel(n, width, R.Take(places, lane), R.Take(places + 1, lane)));
+            float share = n[(EwaKernel.Numbers + 1) * width];
             colors.Put(first + lane, share >= 1 ? mean : Intensity.Lerp(colors.Take(first + lane), mean, share));
         }
 
-        return System.Numerics.BitOperations.PopCount(F.Bits(shape.IsTooLong) & large);
+        return System.Numerics.BitOperations.PopCount(F.Bits(isTooLong) & large);
     }
 
     private void Require(int level)
@@ -82,154 +93,141 @@ internal sealed unsafe class EwaSampler<TReader>(
         }
     }
 
-    /// <summary>The mean over one ellipse.</summary>
-    /// <param name="level">The level, which is there.</param>
-    /// <param name="wrapU">Wrap of columns.</param>
-    /// <param name="wrapV">Wrap of rows.</param>
-    /// <param name="shape">The numbers of the footprint.</param>
-    /// <param name="stride">Distance of these numbers.</param>
-    /// <param name="u">Centre, [0, 1].</param>
-    /// <param name="v">Centre, [0, 1].</param>
-    private Intensity Mean(int level, TextureWrap wrapU, TextureWrap wrapV, float* shape, int stride, double u, double v)
+    /// <summary>Asks the memory for the texels of the next lookup, whose rows lie far apart.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Prefetch(int level, in EwaKernel kernel)
     {
+        if (level == 0 && !Pyramid.HasPicture)
+        {
+            return;
+        }
+
+        nint stride = MipPyramid.Channels * Pyramid.Strides[level];
+        int reach = (int)kernel.ReachY;
+        int first = Math.Max(-reach, -kernel.Row), end = Math.Min(reach + 1, Pyramid.Heights[level] - 1 - kernel.Row);
+        float* row = Pyramid.Texels + (MipPyramid.Channels * (Pyramid.Starts[level] + (nint)kernel.Column)) + ((kernel.Row + first) * stride);
+        float x = kernel.Slant * first * MipPyramid.Channels, step = kernel.Slant * MipPyramid.Channels;
+        for (int y = first; y <= end; y++)
+        {
+            CacheLine.Prefetch(row + float.ConvertToIntegerNative<int>(x));
+            row += stride;
+            x += step;
+        }
+    }
+
+    /// <summary>The mean over one footprint.</summary>
+    private Intensity Mean(int level, TextureWrap wrapU, TextureWrap wrapV, in EwaKernel kernel)
+    {
+        Require(level);
+        int width = Pyramid.Widths[level], height = Pyramid.Heights[level];
+        bool isPacked = level == 0 && !Pyramid.HasPicture;
+
+        // Blocks may begin up to a texel before the reach and end three behind it.
+        int reachX = (int)kernel.ReachX + 2, reachY = (int)kernel.ReachY + 2;
+        bool isInside = !isPacked && kernel.Column >= reachX && kernel.Column < width - reachX - 4 && kernel.Row >= reachY && kernel.Row < height - reachY - 2;
+        if (isInside)
+        {
+            nint stride = Pyramid.Strides[level];
+            nint center = Pyramid.Starts[level] + (kernel.Row * stride) + kernel.Column;
+            EwaInnerBlocks inner = new(Pyramid.Texels + (MipPyramid.Channels * center), MipPyramid.Channels * stride);
+            return kernel.Skew == 0 ? Sum<EwaInnerBlocks, Straight>(ref inner, kernel) : Sum<EwaInnerBlocks, Skewed>(ref inner, kernel);
+        }
+
         EwaLevel texels = new(Pyramid, level, Start, wrapU, wrapV);
-        float scaleX = texels.Width / (float)Pyramid.Widths[0], scaleY = texels.Height / (float)Pyramid.Heights[0];
-        Ellipse ellipse = new(shape[0] * (scaleX * scaleX), shape[stride] * (scaleX * scaleY), shape[2 * stride] * (scaleY * scaleY), shape[5 * stride]);
-        double x = (u * texels.Width) - 0.5, y = (v * texels.Height) - 0.5;
-        return level == 0 && !Pyramid.HasPicture ? PictureMean(texels, ellipse, x, y) : LevelMean(texels, ellipse, x, y);
+        if (isPacked)
+        {
+            EwaPackedBlocks<TReader> packed = new(texels, Reader, kernel.Column, kernel.Row);
+            return Sum<EwaPackedBlocks<TReader>, Skewed>(ref packed, kernel);
+        }
+
+        EwaOuterBlocks outer = new(texels, Pyramid, kernel.Column, kernel.Row);
+        return kernel.Skew == 0 ? Sum<EwaOuterBlocks, Straight>(ref outer, kernel) : Sum<EwaOuterBlocks, Skewed>(ref outer, kernel);
     }
 
-    /// <summary>The mean of texels of a level that is unpacked.</summary>
-    [SkipLocalsInit]
+    /// <summary>The mean of texels by their weights.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private Intensity LevelMean(in EwaLevel texels, in Ellipse ellipse, double centerX, double centerY)
+    private static Intensity Sum<TBlocks, TWeights>(ref TBlocks blocks, in EwaKernel kernel)
+        where TBlocks : struct, IEwaBlocks
+        where TWeights : struct, IEwaWeights
     {
-        Float8* apart = stackalloc Float8[3];
-        float* planeR = Pyramid.Red, planeG = Pyramid.Green, planeB = Pyramid.Blue;
-        Float8 red = Float8.Zero, green = Float8.Zero, blue = Float8.Zero, sum = Float8.Zero, fall = Float8.Of(-ellipse.Fall), iota = Float8.Iota(0);
-        int column = double.ConvertToIntegerNative<int>(Math.Floor(centerX)), row = double.ConvertToIntegerNative<int>(Math.Floor(centerY)), limit = texels.Width - Float8.Width;
-        float cx = (float)(centerX - column), cy = (float)(centerY - row);
-        int end = float.ConvertToIntegerNative<int>(MathF.Floor(cy + ellipse.Height));
-        for (int y = float.ConvertToIntegerNative<int>(MathF.Ceiling(cy - ellipse.Height)); y <= end; y++)
-        {
-            float middle = ellipse.Row(y - cy, cx, out float center, out int from, out int to);
-            int start = texels.Row(row + y, out int turn);
-            turn += column;
-            for (int x = from; x <= to; x += Float8.Width)
-            {
-                Float8 d = iota + Float8.Of(x - center);
-                Float8 weight = Float8.Max(Float8.Fma(d * fall, d, Float8.Of(middle)), Float8.Zero);
-                int first = texels.Column(turn + x);
-                if (first <= limit)
-                {
-                    first += start;
-                    red = Float8.Fma(weight, *(Float8*)(planeR + first), red);
-                    green = Float8.Fma(weight, *(Float8*)(planeG + first), green);
-                    blue = Float8.Fma(weight, *(Float8*)(planeB + first), blue);
-                }
-                else
-                {
-                    texels.ReadApart(start, turn + x, apart);
-                    red = Float8.Fma(weight, apart[0], red);
-                    green = Float8.Fma(weight, apart[1], green);
-                    blue = Float8.Fma(weight, apart[2], blue);
-                }
+        Float8 one = Float8.Of(1f), columns = Float8.Join(Float4.Iota(0), Float4.Iota(0)), rows = Float8.Join(Float4.Zero, Float4.Of(1));
+        Float8 blockS = Float8.Fma(columns, Float8.Of(kernel.SX), rows * Float8.Of(kernel.SY)), blockT = Float8.Fma(columns, Float8.Of(kernel.TX), rows * Float8.Of(kernel.TY));
+        Float8 endS = Float8.Of(kernel.SEnd), endT = Float8.Of(kernel.TEnd), even = Float8.Zero, odd = Float8.Zero;
+        float sx = kernel.SX, tx = kernel.TX, sy = kernel.SY, ty = kernel.TY, skew = kernel.Skew, slant = kernel.Slant, reach = kernel.Reach;
+        float cx = kernel.CenterX, cy = kernel.CenterY, leftS = -sx * cx, leftT = -tx * cx, end = cy + kernel.ReachY;
 
-                sum += weight;
+        // Rows and columns are whole numbers, a few hundred at most, exact as floats.
+        for (float y = MathF.Ceiling(cy - kernel.ReachY); y <= end; y += 2)
+        {
+            float dy = y - cy, middle = MathF.FusedMultiplyAdd(slant, dy + 0.5f, cx), to = middle + reach;
+            float rowS = MathF.FusedMultiplyAdd(sy, dy, leftS), rowT = MathF.FusedMultiplyAdd(ty, dy, leftT);
+            blocks.Row(float.ConvertToIntegerNative<int>(y));
+            for (float x = MathF.Ceiling(middle - reach); x <= to; x += 4)
+            {
+                blocks.Read(float.ConvertToIntegerNative<int>(x), out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
+                Float8 s = blockS + Float8.Of(MathF.FusedMultiplyAdd(sx, x, rowS)), t = blockT + Float8.Of(MathF.FusedMultiplyAdd(tx, x, rowT));
+                Float8 shareS = Float8.Max(Float8.Min(endS - Float8.Abs(s), one), Float8.Zero), shareT = Float8.Max(Float8.Min(endT - Float8.Abs(t), one), Float8.Zero);
+                Float8 weight = TWeights.Joint(shareS, shareT, s ^ t, skew);
+                even = Float8.Fma(Float8.Spread(weight, 0), lower0, even);
+                odd = Float8.Fma(Float8.Spread(weight, 1), lower2, odd);
+                even = Float8.Fma(Float8.Spread(weight, 2), upper0, even);
+                odd = Float8.Fma(Float8.Spread(weight, 3), upper2, odd);
             }
         }
 
-        return Mean(red, green, blue, sum);
+        return Mean(even + odd);
     }
 
-    /// <summary>The mean of texels of a large picture, which stays packed.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private Intensity PictureMean(in EwaLevel texels, in Ellipse ellipse, double centerX, double centerY)
-    {
-        Float8 red = Float8.Zero, green = Float8.Zero, blue = Float8.Zero, sum = Float8.Zero, fall = Float8.Of(-ellipse.Fall), iota = Float8.Iota(0);
-        int column = double.ConvertToIntegerNative<int>(Math.Floor(centerX)), row = double.ConvertToIntegerNative<int>(Math.Floor(centerY)), limit = texels.Width - Float8.Width;
-        float cx = (float)(centerX - column), cy = (float)(centerY - row);
-        int end = float.ConvertToIntegerNative<int>(MathF.Floor(cy + ellipse.Height));
-        for (int y = float.ConvertToIntegerNative<int>(MathF.Ceiling(cy - ellipse.Height)); y <= end; y++)
-        {
-            float middle = ellipse.Row(y - cy, cx, out float center, out int from, out int to);
-            int start = texels.Row(row + y, out int turn);
-            turn += column;
-            for (int x = from; x <= to; x += Float8.Width)
-            {
-                Float8 d = iota + Float8.Of(x - center);
-                Float8 weight = Float8.Max(Float8.Fma(d * fall, d, Float8.Of(middle)), Float8.Zero);
-                int first = texels.Column(turn + x);
-                Int8 elements = first <= limit ? Int8.Iota(start + first) : texels.Apart(start, turn + x);
-                Reader.Read(elements, out Float8 r, out Float8 g, out Float8 b);
-                red = Float8.Fma(weight, r, red);
-                green = Float8.Fma(weight, g, green);
-                blue = Float8.Fma(weight, b, blue);
-                sum += weight;
-            }
-        }
-
-        return Mean(red, green, blue, sum);
-    }
-
-    /// <summary>The mean from eight sums of each; added up in the same order on every machine.</summary>
+    /// <summary>The mean from two sums of colours and weights.</summary>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Intensity Mean(Float8 red, Float8 green, Float8 blue, Float8 weight)
+    private static Intensity Mean(Float8 sums)
     {
-        Float4* halves = stackalloc Float4[4];
-        halves[0] = Float8.Lower(red) + Float8.Upper(red);
-        halves[1] = Float8.Lower(green) + Float8.Upper(green);
-        halves[2] = Float8.Lower(blue) + Float8.Upper(blue);
-        halves[3] = Float8.Lower(weight) + Float8.Upper(weight);
-        float* n = (float*)halves;
-        float toMean = 1 / Sum(n + 12);
-        return new Intensity(Sum(n) * toMean, Sum(n + 4) * toMean, Sum(n + 8) * toMean);
+        Float4 sum = Float8.Lower(sums) + Float8.Upper(sums);
+        float* n = (float*)&sum;
+        float toMean = 1 / n[3];
+        return new Intensity(n[0] * toMean, n[1] * toMean, n[2] * toMean);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Sum(float* four) => (four[0] + four[2]) + (four[1] + four[3]);
 
     /// <summary>Footprints of one group of lanes, texels of the picture.</summary>
-    private readonly struct Shape<F>
+    private readonly struct Sides<F>
         where F : unmanaged, IReal<F>
     {
-        private readonly F _xx, _xy, _yy, _shorter, _least;
+        private readonly F _w, _h, _ax, _ay, _bx, _by;
 
-        public Shape(in FootprintColumns footprints, in TexelAxis across, in TexelAxis up, int packet)
+        public Sides(in FootprintColumns footprints, in TexelAxis across, in TexelAxis up, int packet)
         {
-            F w = F.Of(across.Size), h = F.Of(up.Size);
+            _w = F.Of(across.Size);
+            _h = F.Of(up.Size);
 
             // More than the whole picture is the whole picture.
-            F ax = Within(((F*)footprints.DuDx)[packet] * w, w), ay = Within(((F*)footprints.DvDx)[packet] * h, h);
-            F bx = Within(((F*)footprints.DuDy)[packet] * w, w), by = Within(((F*)footprints.DvDy)[packet] * h, h);
-            _xx = F.Fma(ax, ax, bx * bx);
-            _xy = F.Fma(ax, ay, bx * by);
-            _yy = F.Fma(ay, ay, by * by);
-            F area = F.Fma(ax, by, -(ay * bx)), half = (_xx - _yy) * F.Of(0.5);
-            Longer = F.Fma(_xx + _yy, F.Of(0.5), F.Sqrt(F.Fma(half, half, _xy * _xy)));
-            F shorter = area * area / Longer, least = Longer * F.Of(1.0 / (MaxAnisotropy * MaxAnisotropy));
-            IsTooLong = F.Less(shorter, least) & F.Less(F.Of(4), least);
-            _shorter = shorter;
-            _least = F.Max(F.Max(shorter, least), F.Of(1));
+            _ax = Within(((F*)footprints.DuDx)[packet] * _w, _w);
+            _ay = Within(((F*)footprints.DvDx)[packet] * _h, _h);
+            _bx = Within(((F*)footprints.DuDy)[packet] * _w, _w);
+            _by = Within(((F*)footprints.DvDy)[packet] * _h, _h);
+            LongerSquare = EwaKernel.LongerSquare(_ax, _ay, _bx, _by);
         }
 
-        /// <summary>Square of the longer side; anything for footprints that are no numbers.</summary>
-        public F Longer { get; }
+        /// <summary>Square of the longer axis; anything for footprints that are no numbers.</summary>
+        public F LongerSquare { get; }
 
-        /// <summary>Mask of lanes whose level is higher than their shorter side asks for.</summary>
-        public F IsTooLong { get; }
-
-        /// <summary>Writes xx, xy, yy, the level, how much of the result is the average, and the square of the shorter side in texels of the level.</summary>
-        public void Store(F* numbers, int last)
+        /// <summary>The level, [0, last].</summary>
+        /// <param name="last">The highest one.</param>
+        /// <param name="isTooLong">Mask of lanes whose level is higher than their shorter axis asks for.</param>
+        public F Level(int last, out F isTooLong)
         {
-            numbers[0] = _xx;
-            numbers[1] = _xy;
-            numbers[2] = _yy;
-            F level = F.Min(F.Floor(F.Exponent(_least) * F.Of(0.5)), F.Of(last));
-            numbers[3] = level;
-            numbers[4] = F.Min((Longer - F.Of(1)) * F.Of(1.0 / 3), F.Of(1));
-            numbers[5] = _shorter * F.PowerOfTwo(F.Of(-2) * level);
+            F area = F.Fma(_ax, _by, -(_ay * _bx)), shorter = area * area / LongerSquare, least = LongerSquare * F.Of(1.0 / (MaxAnisotropy * MaxAnisotropy));
+            isTooLong = F.Less(shorter, least) & F.Less(F.Of(4), least);
+            F size = F.Min(shorter, F.Max(shorter * F.Of(1.0 / 4), LongerSquare * F.Of(1.0 / 256)));
+            F level = F.Floor(F.Exponent(F.Max(F.Max(size, least), F.Of(1))) * F.Of(0.5));
+            return F.Max(F.Min(level, F.Of(last)), F.Zero);
+        }
+
+        /// <summary>Writes the weights of texels of a level.</summary>
+        public void Store(F columns, F rows, F* numbers)
+        {
+            F x = columns / _w, y = rows / _h;
+            EwaKernel.Store(_ax * x, _ay * y, _bx * x, _by * y, numbers);
         }
 
         /// <summary>A step no longer than the picture; what is not a number stays so.</summary>

@@ -9,6 +9,7 @@ namespace LabRaytracer;
 /// the number of its column; the rest show, in turn, an arrow that points to larger v and a letter R, so that a mapping that mirrors or turns is seen at once.</para>
 /// <para>Outside [0, 1] the grid repeats, or stays at its last row where the mapping asks to clamp v. Drawn from (u, v) alone, sharp at any size.
 /// Immutable, thread safe.</para>
+/// <para>With <see cref="PatternFilter.Area"/> the colour is the exact mean over footprints along the axes, and near it over others: cells, lines and signs alike.</para>
 /// </remarks>
 public sealed unsafe class GridTexture : IPreparedTexture
 {
@@ -19,6 +20,10 @@ public sealed unsafe class GridTexture : IPreparedTexture
     private readonly int _columns = 24;
     private readonly int _rows = 12;
     private readonly double _lineWidth = 0.06;
+    private readonly Lazy<GridArea> _area;
+
+    /// <summary>A grid of 24 x 12 cells.</summary>
+    public GridTexture() => _area = new Lazy<GridArea>(() => new GridArea(this));
 
     /// <summary>Cells along u from 0 to 1, [2, 100]. Default: 24.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Outside [2, 100].</exception>
@@ -46,15 +51,29 @@ public sealed unsafe class GridTexture : IPreparedTexture
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The line width of a grid must be in [0, 1] cells.");
     }
 
+    /// <summary>Whether colours are those of points or means over what samples cover. Default: nearest, points.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
+    public PatternFilter Filter { get; init => field = PropertyChecks.Known(value); }
+
     /// <inheritdoc/>
-    public Intensity Sample(in TextureLookup lookup)
+    public TextureNeeds Needs => TextureNeeds.Coordinate | (Filter == PatternFilter.Area ? TextureNeeds.Footprint : TextureNeeds.None);
+
+    /// <inheritdoc/>
+    public Intensity Sample(in TextureLookup lookup) => Filter == PatternFilter.Area
+        ? _area.Value.Mean(lookup.Coordinate.U, lookup.Coordinate.V, lookup.Footprint, lookup.WrapV)
+        : At(lookup.Coordinate.U, lookup.Coordinate.V, lookup.WrapV);
+
+    /// <summary>The colour at a point.</summary>
+    internal Intensity At(double u, double v, TextureWrap wrapV)
     {
-        Double1 u = new(lookup.Coordinate.U), v = new(lookup.Coordinate.V);
-        Int1 color = ColorAt<Double1, Float1, Int1>(u, v, lookup.WrapV);
+        Int1 color = ColorAt<Double1, Float1, Int1>(new Double1(u), new Double1(v), wrapV);
         return new Intensity(s_palette[3 * color.Value], s_palette[(3 * color.Value) + 1], s_palette[(3 * color.Value) + 2]);
     }
 
-    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) => new Sampler(this);
+    TextureNeeds IPreparedTexture.NeedsUnder(TextureFilter? filter) => filter == TextureFilter.Nearest ? Needs & ~TextureNeeds.Footprint : Needs;
+
+    TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
+        Filter == PatternFilter.Area && filter != TextureFilter.Nearest ? new GridAreaSampler(_area.Value) : new Sampler(this);
 
     /// <summary>Number of the colour at a point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>Smaller and smaller versions of a picture in linear light, each half as large as the one before (Williams, "Pyramidal parametrics", 1983).</summary>
 /// <remarks>
 /// <para>Level 0 is the picture itself and stays packed; of a small one there is an unpacked copy too, once somebody asks for it. Level k + 1 is made of level k by <see cref="MipReduction"/>, the first time that somebody asks for it;
-/// a level has the same bits whoever builds it. 12 bytes a texel, a third of the picture's texels in all; memory of levels that nobody asks for is not touched.</para>
+/// a level has the same bits whoever builds it. 16 bytes a texel, a third of the picture's texels in all; memory of levels that nobody asks for is not touched.</para>
 /// <para>Thread safe.</para>
 /// </remarks>
 internal sealed unsafe class MipPyramid
@@ -13,13 +13,21 @@ internal sealed unsafe class MipPyramid
     /// <summary>Texels of a level from which several threads build it.</summary>
     private const int ParallelTexels = 1 << 14;
 
-    /// <summary>Most texels of a picture that is unpacked: 12 megabytes.</summary>
+    /// <summary>Most texels of a picture that is unpacked: 16 megabytes.</summary>
     private const int UnpackedTexels = 1 << 20;
+
+    /// <summary>Floats of a texel: red, green, blue, 1.</summary>
+    public const int Channels = 4;
+
+    /// <summary>Texels in a line of the cache.</summary>
+    private const int LineTexels = 4;
+
+    /// <summary>Texels from which on a row counts as long.</summary>
+    private const int LongRow = 128;
 
     private readonly TexelRows _picture;
     private readonly Lock _building = new();
     private readonly LaneMemory _memory = new();
-    private readonly float* _block;
     private int _built;
     private bool _isUnpacked;
 
@@ -37,6 +45,7 @@ internal sealed unsafe class MipPyramid
         Widths = _memory.Column<int>(count, 1);
         Heights = _memory.Column<int>(count, 1);
         Starts = _memory.Column<int>(count, 1);
+        Strides = _memory.Column<int>(count, 1);
         HasPicture = (long)width * height <= UnpackedTexels;
         long texels = 0;
         for (int level = 0; level < count; level++)
@@ -44,24 +53,22 @@ internal sealed unsafe class MipPyramid
             Widths[level] = width;
             Heights[level] = height;
             Starts[level] = (int)texels;
-            texels += level == 0 && !HasPicture ? 0 : (long)width * height;
+            Strides[level] = Stride(width);
+            texels += level == 0 && !HasPicture ? 0 : (long)Strides[level] * height;
             width = MipReduction.Half(width);
             height = MipReduction.Half(height);
         }
 
-        if (texels > int.MaxValue)
+        if (texels > int.MaxValue / Channels)
         {
-            throw new PictureFormatException("texture", $"a picture of {picture.Width} x {picture.Height} texels is too large for the filters trilinear, ewa and area, which take at most 6442450941 texels; use bilinear");
+            throw new PictureFormatException("texture", $"a picture of {picture.Width} x {picture.Height} texels is too large for the filters trilinear, ewa and area, which take at most 1600000000 texels; use bilinear");
         }
 
         // Not cleared: pages that no level is written to take no memory.
-        _block = (float*)NativeMemory.AlignedAlloc((nuint)((3 * Math.Max(1, texels)) + 16) * sizeof(float), 64);
-        Red = _block;
-        Green = _block + texels;
-        Blue = Green + texels;
+        Texels = (float*)NativeMemory.AlignedAlloc((nuint)(Channels * Math.Max(1, texels)) * sizeof(float), 64);
     }
 
-    ~MipPyramid() => NativeMemory.AlignedFree(_block);
+    ~MipPyramid() => NativeMemory.AlignedFree(Texels);
 
     /// <summary>Number of levels, with the picture itself; the last one is a single texel.</summary>
     public int LevelCount { get; }
@@ -75,19 +82,16 @@ internal sealed unsafe class MipPyramid
     /// <summary>Tells whether the picture is small enough to be unpacked.</summary>
     public bool HasPicture { get; }
 
-    /// <summary>
-    /// Where each level starts in <see cref="Red"/>, <see cref="Green"/> and <see cref="Blue"/>: its bottom row first. Level 0 only if <see cref="HasPicture"/>.
-    /// </summary>
+    /// <summary>The texel of <see cref="Texels"/> at which each level starts: its bottom row first. Level 0 only if <see cref="HasPicture"/>.</summary>
     public int* Starts { get; }
 
-    /// <summary>Red of all levels.</summary>
-    public float* Red { get; }
+    /// <summary>From the first texel of a row to that of the next one.</summary>
+    public int* Strides { get; }
 
-    /// <summary>Green of all levels.</summary>
-    public float* Green { get; }
-
-    /// <summary>Blue of all levels.</summary>
-    public float* Blue { get; }
+    /// <summary>
+    /// The texels of all levels: red, green, blue and 1, side by side, so that a texel lies in one line of the cache and a weighted sum of texels adds up the weights too.
+    /// </summary>
+    public float* Texels { get; }
 
     /// <summary>Number of the highest level that is there.</summary>
     public int Built => Volatile.Read(ref _built);
@@ -112,6 +116,12 @@ internal sealed unsafe class MipPyramid
         }
     }
 
+    /// <summary>
+    /// Texels of a row and, where rows are long, some that nobody reads: an odd number of lines of the cache. Rows at distances of powers of two compete for the same few
+    /// places in it, and footprints that reach over many rows then wait for the memory at each of them.
+    /// </summary>
+    private static int Stride(int width) => width < LongRow ? width : (((width + LineTexels - 1) / LineTexels) | 1) * LineTexels;
+
     /// <summary>Unpacks the picture, which must be small enough.</summary>
     public void RequirePicture()
     {
@@ -122,31 +132,48 @@ internal sealed unsafe class MipPyramid
 
         lock (_building)
         {
-            for (int y = 0; !_isUnpacked && y < Heights[0]; y++)
+            if (!_isUnpacked)
             {
-                long at = (long)y * Widths[0];
-                _picture.Read(y, Red + at, Green + at, Blue + at);
+                Unpack();
             }
 
             Volatile.Write(ref _isUnpacked, true);
         }
     }
 
+    private void Unpack()
+    {
+        using LaneMemory memory = new();
+        int width = Widths[0];
+        float* row = memory.Column<float>((3 * width) + 48, 1);
+        for (int y = 0; y < Heights[0]; y++)
+        {
+            _picture.Read(y, row, row + width, row + (2 * width));
+            float* texel = Texels + ((long)y * Strides[0] * Channels);
+            for (int x = 0; x < width; x++)
+            {
+                (texel[0], texel[1], texel[2], texel[3]) = (row[x], row[width + x], row[(2 * width) + x], 1);
+                texel += Channels;
+            }
+        }
+    }
+
     /// <summary>One texel of a level from 1 on; y up.</summary>
     public Intensity Texel(int level, int x, int y)
     {
-        int at = Starts[level] + (y * Widths[level]) + x;
-        return new Intensity(Red[at], Green[at], Blue[at]);
+        float* texel = Texels + (Channels * (long)(Starts[level] + (y * Strides[level]) + x));
+        return new Intensity(texel[0], texel[1], texel[2]);
     }
 
     private void Build(int level, int threads)
     {
-        TexelRows source = level == 1 ? _picture : new LevelRows(this, level - 1);
-        int height = Heights[level], start = Starts[level];
+        TexelRows source = level == 1 && !_isUnpacked ? _picture : new LevelRows(this, level - 1);
+        int height = Heights[level];
+        float* texels = Texels + (Channels * (long)Starts[level]);
         bool isLarge = threads > 1 && (long)Widths[level] * height >= ParallelTexels;
         int parts = isLarge ? Math.Min(height, 8 * threads) : 1;
         void Part(int part) => MipReduction.Run(
-            source, (int)((long)height * part / parts), (int)((long)height * (part + 1) / parts), Red + start, Green + start, Blue + start);
+            source, (int)((long)height * part / parts), (int)((long)height * (part + 1) / parts), Channels * Strides[level], texels);
         if (parts == 1)
         {
             Part(0);
@@ -157,7 +184,7 @@ internal sealed unsafe class MipPyramid
         }
     }
 
-    /// <summary>Rows of a level from 1 on.</summary>
+    /// <summary>Rows of a level that is unpacked.</summary>
     private sealed class LevelRows(MipPyramid pyramid, int level) : TexelRows
     {
         public override int Width => pyramid.Widths[level];
@@ -166,10 +193,12 @@ internal sealed unsafe class MipPyramid
 
         public override void Read(int y, float* red, float* green, float* blue)
         {
-            long at = pyramid.Starts[level] + ((long)y * Width);
-            new ReadOnlySpan<float>(pyramid.Red + at, Width).CopyTo(new Span<float>(red, Width));
-            new ReadOnlySpan<float>(pyramid.Green + at, Width).CopyTo(new Span<float>(green, Width));
-            new ReadOnlySpan<float>(pyramid.Blue + at, Width).CopyTo(new Span<float>(blue, Width));
+            float* texel = pyramid.Texels + (Channels * (pyramid.Starts[level] + ((long)y * pyramid.Strides[level])));
+            for (int x = 0; x < Width; x++)
+            {
+                (red[x], green[x], blue[x]) = (texel[0], texel[1], texel[2]);
+                texel += Channels;
+            }
         }
     }
 }

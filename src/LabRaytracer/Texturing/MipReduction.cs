@@ -40,35 +40,75 @@ internal static unsafe class MipReduction
     /// <param name="source">The larger level.</param>
     /// <param name="first">First row of the smaller level.</param>
     /// <param name="end">Row behind the last one.</param>
-    /// <param name="red">Red of the smaller level, row 0 first.</param>
-    /// <param name="green">Green.</param>
-    /// <param name="blue">Blue.</param>
-    public static void Run(TexelRows source, int first, int end, float* red, float* green, float* blue)
+    /// <param name="stride">Floats from one of its rows to the next.</param>
+    /// <param name="texels">The smaller level, row 0 first: red, green, blue, 1.</param>
+    public static void Run(TexelRows source, int first, int end, int stride, float* texels)
     {
         using LaneMemory memory = new();
-        int width = source.Width, half = Half(width);
-        float* row = memory.Column<float>((3 * width) + 48, 1);
-        double* sums = memory.Column<double>(3 * width, 1);
-        double* weights = stackalloc double[3];
+        int width = source.Width;
+        bool isEven = width % 2 == 0 && source.Height % 2 == 0;
+        float* rows = memory.Column<float>((6 * width) + 48, 1);
+        double* sums = memory.Column<double>(isEven ? 1 : 3 * width, 1);
         for (int y = first; y < end; y++)
         {
-            (int top, int count) = Taps(source.Height, y, weights);
-            new Span<double>(sums, 3 * width).Clear();
-            for (int k = 0; k < count; k++)
+            float* result = texels + ((long)y * stride);
+            if (isEven)
             {
-                source.Read(top + k, row, row + width, row + (2 * width));
-                double weight = weights[k];
-                for (int x = 0; x < 3 * width; x++)
-                {
-                    sums[x] += weight * row[x];
-                }
+                Quarter(source, y, rows, result);
+            }
+            else
+            {
+                Weigh(source, y, rows, sums, result);
             }
 
-            long at = (long)y * half;
-            Across(sums, width, red + at);
-            Across(sums + width, width, green + at);
-            Across(sums + (2 * width), width, blue + at);
+            for (int x = 0; x < Half(width); x++)
+            {
+                result[(MipPyramid.Channels * x) + 3] = 1;
+            }
         }
+    }
+
+    /// <summary>A row of means of two by two texels.</summary>
+    private static void Quarter(TexelRows source, int y, float* rows, float* result)
+    {
+        int width = source.Width;
+        float* upper = rows + (3 * width);
+        source.Read(2 * y, rows, rows + width, rows + (2 * width));
+        source.Read((2 * y) + 1, upper, upper + width, upper + (2 * width));
+        Quarter(rows, upper, width, result);
+        Quarter(rows + width, upper + width, width, result + 1);
+        Quarter(rows + (2 * width), upper + (2 * width), width, result + 2);
+    }
+
+    private static void Quarter(float* lower, float* upper, int width, float* result)
+    {
+        for (int x = 0; x < width; x += 2)
+        {
+            // Halves and quarters are exact: the bits of the weighted sums of other sizes.
+            result[MipPyramid.Channels / 2 * x] = (float)(0.25 * (((double)lower[x] + upper[x]) + ((double)lower[x + 1] + upper[x + 1])));
+        }
+    }
+
+    /// <summary>A row of means of texels by the areas that they share.</summary>
+    private static void Weigh(TexelRows source, int y, float* row, double* sums, float* result)
+    {
+        int width = source.Width;
+        double* weights = stackalloc double[3];
+        (int top, int count) = Taps(source.Height, y, weights);
+        new Span<double>(sums, 3 * width).Clear();
+        for (int k = 0; k < count; k++)
+        {
+            source.Read(top + k, row, row + width, row + (2 * width));
+            double weight = weights[k];
+            for (int x = 0; x < 3 * width; x++)
+            {
+                sums[x] += weight * row[x];
+            }
+        }
+
+        Across(sums, width, result);
+        Across(sums + width, width, result + 1);
+        Across(sums + (2 * width), width, result + 2);
     }
 
     private static void Across(double* sums, int width, float* result)
@@ -84,7 +124,7 @@ internal static unsafe class MipReduction
                 sum += weights[k] * sums[first + k];
             }
 
-            result[x] = (float)sum;
+            result[MipPyramid.Channels * x] = (float)sum;
         }
     }
 }

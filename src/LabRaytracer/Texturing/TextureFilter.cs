@@ -25,8 +25,8 @@ public enum TextureFilter
     Trilinear,
 
     /// <summary>
-    /// Over the footprint of the sample, by its own width in every direction: an elliptical weighted average of texels (Greene and Heckbert 1986) of the smaller version
-    /// whose texels fit the shorter side. Up to 64 times as long as wide; longer footprints are filtered too softly, which the statistics count.
+    /// Over the footprint of the sample, by its own width in every direction: a weighted mean of texels (what is called EWA: Greene and Heckbert 1986), each by its share in the
+    /// parallelogram of the pixel, of the smaller version whose texels fit the shorter side. Up to 64 times as long as wide; longer footprints are filtered too softly, which the statistics count.
     /// </summary>
     Ewa,
 

@@ -90,14 +90,14 @@ internal sealed unsafe class TrilinearSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        I width = I.Gather(Pyramid.Widths, level), height = I.Gather(Pyramid.Heights, level), start = I.Gather(Pyramid.Starts, level);
+        I width = I.Gather(Pyramid.Widths, level), height = I.Gather(Pyramid.Heights, level), start = I.Gather(Pyramid.Starts, level), stride = I.Gather(Pyramid.Strides, level);
         F px = F.Fma(x, F.FromInt32(width), F.Of(-0.5)), py = F.Fma(y, F.FromInt32(height), F.Of(-0.5));
         F fx = F.Floor(px), fy = F.Floor(py);
         F right = px - fx, above = py - fy;
         I x0 = F.ToInt32(fx), y0 = F.ToInt32(fy), one = I.Of(1);
         (I left, I next) = Pair(x0, width, wrapU);
         (I below, I top) = Pair(y0, height, wrapV);
-        I row0 = start + (below * width), row1 = start + (top * width);
+        I row0 = start + (below * stride), row1 = start + (top * stride);
         I a = row0 + left, b = row0 + next, c = row1 + left, d = row1 + next;
         if (wrapV == TextureWrap.Pole)
         {
@@ -110,9 +110,11 @@ internal sealed unsafe class TrilinearSampler<TReader>(
             d = I.Select(far1, row1 + farNext, d);
         }
 
-        red = Between<F, I>(Pyramid.Red, a, b, c, d, right, above);
-        green = Between<F, I>(Pyramid.Green, a, b, c, d, right, above);
-        blue = Between<F, I>(Pyramid.Blue, a, b, c, d, right, above);
+        I channels = I.Of(MipPyramid.Channels);
+        (a, b, c, d) = (a * channels, b * channels, c * channels, d * channels);
+        red = Between<F, I>(Pyramid.Texels, a, b, c, d, right, above);
+        green = Between<F, I>(Pyramid.Texels + 1, a, b, c, d, right, above);
+        blue = Between<F, I>(Pyramid.Texels + 2, a, b, c, d, right, above);
     }
 
     /// <summary>The texel at a place, [-1, size), and the next one, inside the picture.</summary>

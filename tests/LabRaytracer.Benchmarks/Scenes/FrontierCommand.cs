@@ -42,17 +42,17 @@ internal static class FrontierCommand
         List<FrontierPoint> points = sweep.Run(converged, Say, default);
         if (PovRay.IsInstalled && PovScene.CanWrite(scene.Scene))
         {
-            points.AddRange(MeasurePov(name, scene, work, converged));
+            points.AddRange(MeasurePov(name, scene, work, converged, sweep.Inner));
         }
 
         string remark = string.Create(
             CultureInfo.InvariantCulture,
-            $"{width} x {height} pixels, one thread, the shortest of three renders; errors of linear light against {samples} samples a pixel. POV-Ray's 8-bit files add at most 0.002.");
+            $"{width} x {height} pixels, one thread, the shortest of three renders; errors of linear light against {samples} samples a pixel, of all pixels and of those that no edge of an object crosses. POV-Ray's 8-bit files add at most 0.002.");
         FrontierReport.Write(results, name, $"{name}: time against error", remark, points);
     }
 
     /// <summary>POV-Ray's pictures without and with its interpolation, each way of anti-aliasing once.</summary>
-    private static IEnumerable<FrontierPoint> MeasurePov(string name, LoadedScene scene, string work, Picture converged)
+    private static IEnumerable<FrontierPoint> MeasurePov(string name, LoadedScene scene, string work, Picture converged, InnerPixels inner)
     {
         BenchPlan plan = new() { Command = "frontier", Folder = work, Width = converged.Width, Height = converged.Height };
         foreach (string interpolate in new[] { "", "interpolate 2" })
@@ -61,7 +61,8 @@ internal static class FrontierCommand
             foreach (string options in s_povOptions)
             {
                 double seconds = PovRay.Render(path, picture, plan, options, threads: 1).TraceSeconds;
-                FrontierPoint point = new($"POV-Ray {interpolate}".Trim(), options, seconds, FrontierSweep.Rmse(SceneRun.LoadLinear(picture), converged));
+                Picture linear = SceneRun.LoadLinear(picture);
+                FrontierPoint point = new($"POV-Ray {interpolate}".Trim(), options, seconds, FrontierSweep.Rmse(linear, converged), inner.Rmse(linear, converged));
                 Say(point);
                 yield return point;
             }
@@ -88,5 +89,5 @@ internal static class FrontierCommand
     }
 
     private static void Say(FrontierPoint point) =>
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {point.Series,-22} {point.Variant,-14} {point.Seconds,9:0.0000} s   RMSE {point.Rmse:0.00000}"));
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {point.Series,-22} {point.Variant,-14} {point.Seconds,9:0.0000} s   RMSE {point.Rmse:0.00000}, inside objects {point.InnerRmse:0.00000}"));
 }

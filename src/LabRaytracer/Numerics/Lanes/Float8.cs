@@ -65,6 +65,10 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 Of(double value) => new(Vector256.Create((float)value));
 
+    /// <summary>The same number in every lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float8 Of(float value) => new(Vector256.Create(value));
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 Iota(double start) => new(Vector256.Create((float)start) + Vector256.Create((float)0, 1, 2, 3, 4, 5, 6, 7));
 
@@ -135,6 +139,18 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     /// <summary>Lanes 0 to 3 of one, then of another.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 Join(Float4 lower, Float4 upper) => new(Vector256.Create(lower.Value, upper.Value));
+
+    /// <summary>Two neighbouring lanes, each four times.</summary>
+    /// <param name="a">The lanes.</param>
+    /// <param name="pair">Which two: 0 to 3, a constant.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float8 Spread(Float8 a, int pair) => new(pair switch
+    {
+        0 => Vector256.Shuffle(a.Value, Vector256.Create(0, 0, 0, 0, 1, 1, 1, 1)),
+        1 => Vector256.Shuffle(a.Value, Vector256.Create(2, 2, 2, 2, 3, 3, 3, 3)),
+        2 => Vector256.Shuffle(a.Value, Vector256.Create(4, 4, 4, 4, 5, 5, 5, 5)),
+        _ => Vector256.Shuffle(a.Value, Vector256.Create(6, 6, 6, 6, 7, 7, 7, 7)),
+    });
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 ToSingle(Float8 a) => a;
