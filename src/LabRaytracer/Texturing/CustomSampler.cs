@@ -28,7 +28,7 @@ internal sealed unsafe class CustomSampler(ITexture texture, TextureUse use) : T
                 needsFootprint && needsCoordinate ? lookups.Footprints.Take(i) : default,
                 needsFootprint && needsPoint ? lookups.LocalFootprints.Take(i) : default)
             {
-                WorldPoint = worldPoint, WorldNormal = worldNormal,
+                WorldPoint = worldPoint, WorldNormal = worldNormal, WorldFootprint = needsFootprint && needsWorld ? lookups.WorldFootprints.Take(i) : default,
             }));
         }
     }
