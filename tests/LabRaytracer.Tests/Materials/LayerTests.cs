@@ -77,7 +77,11 @@ public sealed class LayerTests
     {
         Shape shape = name switch
         {
-            "sphere" => new Sphere(), "cylinder" => new Cylinder(), "torus" => new Torus(), "cone" => new Cone(), _ => new Quad(),
+            "sphere" => new Sphere(),
+            "cylinder" => new Cylinder(),
+            "torus" => new Torus(),
+            "cone" => new Cone(),
+            _ => new Quad(),
         };
         Texture picture = new(new[,] { { new Intensity(1, 0, 0) }, { new Intensity(0, 1, 0) } }) { Sampling = Nearest() };
         double middle = shape is Torus ? 0.2 : 0.5;
@@ -87,8 +91,8 @@ public sealed class LayerTests
         });
         Scene scene = new() { Camera = shape is Quad ? TestScenes.AboveQuad() : new OrthographicCamera(new Point3D(0, 3, 9), Point3D.Origin, 3) };
         scene.Add(shape, material);
-        RenderOptions uv = new() { Width = 120, Height = 120, View = RenderView.Uv }, object_ = new() { Width = 120, Height = 120, View = RenderView.Object };
-        Picture result = TestScenes.Render(scene, 120, 120), where = Renderer.Render(scene, uv).Picture, there = Renderer.Render(scene, object_).Picture;
+        Picture Show(RenderView view) => Renderer.Render(scene, new RenderOptions { Width = 120, Height = 120, View = view }).Picture;
+        Picture result = Show(RenderView.Color), where = Show(RenderView.Uv), there = Show(RenderView.Object);
         int red = 0, green = 0;
         for (int y = 0; y < 120; y++)
         {
