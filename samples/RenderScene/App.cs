@@ -35,6 +35,7 @@ internal static class App
             RenderVerb.Create(console, stop),
             CompareVerb.Create(console),
             CheckVerb.Create(console),
+            BakeVerb.Create(console, stop),
             FigureVerb.Create(console, stop),
             ListVerb.Create(console),
             SchemaVerb.Create(console),

@@ -18,6 +18,12 @@ internal static class OptionText
             ? value
             : throw new UsageException($"{name} '{text}' is not a number of at least 0, such as 0.01.");
 
+    /// <summary>A number in a range.</summary>
+    public static double Number(string name, string text, double min, double max) =>
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && value >= min && value <= max
+            ? value
+            : throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"{name} '{text}' is not a number from {min} to {max}."));
+
     /// <summary>Whole numbers with a separator between them, such as 1280x720.</summary>
     public static int[] Integers(string name, string text, char separator, string form)
     {

@@ -69,11 +69,11 @@ internal static class PictureOutput
     };
 
     /// <summary>What a picture says about its own making: enough to make it again.</summary>
-    public static IReadOnlyList<KeyValuePair<string, string>> Text(string scene, RenderOptions options) =>
+    public static IReadOnlyList<KeyValuePair<string, string>> Text(string scene, RenderOptions options, PictureSaveOptions save) =>
     [
         new("Title", Path.GetFileNameWithoutExtension(scene)),
         new("Software", $"LabRaytracer {VersionVerb.Version}"),
-        new("Options", Describe(options)),
+        new("Options", Describe(options) + OutputSettings.Describe(save)),
     ];
 
     /// <summary>Options in the words of the command line. Threads are left out: the picture does not depend on them.</summary>

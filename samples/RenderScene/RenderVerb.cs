@@ -27,14 +27,18 @@ internal sealed class RenderVerb
         Description = "Render again whenever the scene file, or a picture or mesh that it names, changes; mistakes are printed and the next change is waited for. Ctrl-C ends.",
     };
 
+    private readonly Option<bool> _allowMissing = new("--allow-missing") { Description = "Show a magenta and black checker for pictures that are missing or damaged, and warn." };
+
     private readonly RenderSettings _settings = new();
+
+    private readonly OutputSettings _outputSettings = new();
 
     /// <summary>The verb for the command line.</summary>
     public static Command Create(AppConsole console, CancellationToken stop)
     {
         RenderVerb verb = new();
         Command command = new("render", "Renders a scene file into a picture file.") { verb._scene, verb._output };
-        foreach (Option option in verb._settings.All.Concat([verb._allowPath, verb._stats, verb._statsJson, verb._preview, verb._watch, verb._quiet]))
+        foreach (Option option in verb._settings.All.Concat(verb._outputSettings.All).Concat([verb._allowPath, verb._allowMissing, verb._stats, verb._statsJson, verb._preview, verb._watch, verb._quiet]))
         {
             command.Options.Add(option);
         }
@@ -97,7 +101,13 @@ internal sealed class RenderVerb
         files.Clear();
         files.Add(scenePath);
         Stopwatch clock = Stopwatch.StartNew();
-        LoadedScene scene = SceneInput.Load(scenePath, new SceneLoadOptions { AllowOutsidePaths = parsed.GetValue(_allowPath), FileNamed = files.Add });
+        LoadedScene scene = SceneInput.Load(scenePath, new SceneLoadOptions
+        {
+            AllowOutsidePaths = parsed.GetValue(_allowPath),
+            FileNamed = files.Add,
+            MissingPictures = parsed.GetValue(_allowMissing) ? MissingPictures.Checker : MissingPictures.Refused,
+            Warned = warning => console.Error.WriteLine($"warning: {warning}"),
+        });
         double loadSeconds = clock.Elapsed.TotalSeconds;
         RenderOptions options = _settings.Apply(parsed, scene.RenderOptions);
         string output = parsed.GetValue(_output) ?? PictureOutput.DefaultPath(scene.Output.FileName ?? $"{Path.GetFileNameWithoutExtension(scenePath)}.png");
@@ -105,14 +115,15 @@ internal sealed class RenderVerb
         // A scene may show an earlier picture of itself: writing it is no change to wait for.
         files.Remove(output);
         PictureOutput.Check(output, parsed.GetValue(_statsJson));
-        PictureSaveOptions save = PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(scenePath, options));
+        PictureSaveOptions save = _outputSettings.Apply(parsed, scene.Output.Picture);
+        save = PictureOutput.WithText(save, PictureOutput.Text(scenePath, options, save));
         RenderStatistics statistics = SceneInput.Render(scene, Path.GetFileName(scenePath), options, output, save, console, stop);
         if (parsed.GetValue(_preview))
         {
             TerminalPreview.Show(output, console);
         }
 
-        Report(parsed, console, new StatisticsReport(scenePath, output, options, statistics) { LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds });
+        Report(parsed, console, new StatisticsReport(scenePath, output, options, statistics) { Pictures = PictureReport.Of(scene), LoadSeconds = loadSeconds, TotalSeconds = clock.Elapsed.TotalSeconds });
         StatisticsReport.WarnOfNotFinite(statistics, console.Error);
     }
 

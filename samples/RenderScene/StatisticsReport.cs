@@ -13,6 +13,9 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
     /// <summary>Wall time from reading to the written picture, seconds.</summary>
     public double TotalSeconds { get; init; }
 
+    /// <summary>The pictures that were decoded.</summary>
+    public IReadOnlyList<PictureReport> Pictures { get; init; } = [];
+
     /// <summary>Under a budget the mean number.</summary>
     private string Samples => statistics.EstimatedRmse is null
         ? string.Create(CultureInfo.InvariantCulture, $"{options.Samples} samples a pixel")
@@ -94,6 +97,11 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
             writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {words,-34} {value,14:#,0}"));
         }
 
+        foreach (PictureReport picture in Pictures)
+        {
+            writer.WriteLine(picture.Text);
+        }
+
         WriteSkipped(writer);
         foreach ((string stage, double seconds) in statistics.StageSeconds)
         {
@@ -142,6 +150,13 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
             json.WriteNumber(key, value);
         }
 
+        json.WriteStartArray("pictures");
+        foreach (PictureReport picture in Pictures)
+        {
+            picture.WriteJson(json);
+        }
+
+        json.WriteEndArray();
         json.WriteStartArray("skipped");
         foreach (SkippedWork work in statistics.Skipped)
         {

@@ -18,7 +18,7 @@ internal static class WelcomeVerb
             string path = SampleScenes.File($"{name}.json"), output = PictureOutput.DefaultPath($"{name}.png");
             LoadedScene scene = SceneInput.Load(path);
             PictureOutput.Check(output);
-            PictureSaveOptions save = PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(path, scene.RenderOptions));
+            PictureSaveOptions save = PictureOutput.WithText(scene.Output.Picture, PictureOutput.Text(path, scene.RenderOptions, scene.Output.Picture));
             SceneInput.Render(scene, name, scene.RenderOptions, output, save, console, stop);
             console.Output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{output}: {SceneDescription.Read(path)} ({clock.Elapsed.TotalSeconds:0.00} s)"));
         }

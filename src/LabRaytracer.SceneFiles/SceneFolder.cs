@@ -20,8 +20,9 @@ internal sealed class SceneFolder(string root, SceneLoadOptions options)
     /// <param name="name">Its name in a file.</param>
     /// <param name="from">Folder of that file, absolute.</param>
     /// <param name="path">Its absolute path.</param>
+    /// <param name="isPicture">Whether it is a picture, which a checker may stand in for.</param>
     /// <returns>Why it cannot be used; null if it can. The same on every system, so that a scene that loads here loads everywhere.</returns>
-    public string? Find(string name, string from, out string path)
+    public string? Find(string name, string from, out string path, bool isPicture)
     {
         path = "";
         if (Refusal(name, options.AllowOutsidePaths) is { } refusal)
@@ -38,19 +39,34 @@ internal sealed class SceneFolder(string root, SceneLoadOptions options)
         options.FileNamed?.Invoke(path);
         return File.Exists(path) ? null
             : Directory.Exists(path) ? $"{Wording.Quote(name)} is a folder"
+            : isPicture && options.MissingPictures == MissingPictures.Checker ? null
             : $"the file {Wording.Quote(name)} does not exist{Wording.Suggestion(Path.GetFileName(name), Neighbours(path))}";
     }
 
     /// <summary>A picture file; it is opened and decoded once, however many textures look it up in their own ways.</summary>
-    public Texture Open(string path)
+    /// <param name="path">Its absolute path.</param>
+    /// <param name="place">Where it is named.</param>
+    public Texture Open(string path, Func<SceneLocation> place)
     {
         if (!_pictures.TryGetValue(path, out Texture? picture))
         {
-            picture = Texture.Load(path);
+            picture = options.MissingPictures == MissingPictures.Checker ? OpenOrStandIn(path, place) : Texture.Load(path);
             _pictures.Add(path, picture);
         }
 
         return picture;
+    }
+
+    private Texture OpenOrStandIn(string path, Func<SceneLocation> place)
+    {
+        void Warn(string what) => options.Warned?.Invoke(new SceneFileError(place(), $"{what}; a checker stands in"));
+        if (!File.Exists(path))
+        {
+            Warn($"the file {Wording.Quote(Path.GetFileName(path))} does not exist");
+            return Texture.LoadOrStandIn(path, _ => { });
+        }
+
+        return Texture.LoadOrStandIn(path, failure => Warn(Wording.Reason(failure)));
     }
 
     /// <summary>Why a name is refused whatever lies there; null if it is not.</summary>

@@ -22,6 +22,16 @@ public sealed class SceneLoadOptions
     /// </summary>
     public Action<string>? FileNamed { get; init; }
 
+    /// <summary>What becomes of a scene whose pictures are missing or damaged. Default: it is refused.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not one of the enumeration.</exception>
+    public MissingPictures MissingPictures { get; init => field = PropertyChecks.Known(value); }
+
+    /// <summary>
+    /// Told of every picture that a checker stands in for, and of the place that names it: while the scene is read if the file is missing, when it is first needed if it is
+    /// damaged; once a file, by any thread. Null (default) for nobody.
+    /// </summary>
+    public Action<SceneFileError>? Warned { get; init; }
+
     /// <summary>Largest scene file, bytes, [1, 2147483591]. Default: 256 MiB.</summary>
     public long MaxBytes
     {

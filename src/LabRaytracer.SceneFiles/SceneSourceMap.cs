@@ -32,6 +32,10 @@ public sealed class SceneSourceMap
         return new SceneFileException(new SceneFileError(place, Wording.Reason(failure)), failure);
     }
 
+    /// <summary>All pictures that the file, or a file that it names, names, in the order of reading.</summary>
+    internal IEnumerable<(Texture Picture, SceneLocation Location)> Pictures =>
+        _places.Where(place => place.Key is Texture).Select(place => ((Texture)place.Key, place.Value.Source.Locate(place.Value.Offset)));
+
     /// <summary>Notes where a part stands; the first place counts.</summary>
     internal void Note(object part, SceneSource source, int offset) => _places.TryAdd(part, (source, offset));
 

@@ -80,6 +80,7 @@ internal sealed record StressReport(StressOptions Options, IReadOnlyList<StressR
     private static IEnumerable<Func<IEnumerable<StressRow>>> Sweeps(StressOptions options) =>
     [
         new MappingSweep(options).Run,
+        new FurtherMappingSweep(options).Run,
         new FunctionSweep(options).Run,
         new TexelSweep(options).Run,
         new ColorSweep(options).Run,

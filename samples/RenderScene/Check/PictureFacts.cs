@@ -17,6 +17,9 @@ internal sealed class PictureFacts
     /// <summary>Rows.</summary>
     public int Height => _pixels.Height;
 
+    /// <summary>What the file says about its colours and nobody does; null if nothing is left undone.</summary>
+    public string? ColorDoubt => _pixels.TransferSource is { } source && source.Contains(" not ", StringComparison.Ordinal) ? source : null;
+
     /// <summary>Tells whether some texel is not opaque.</summary>
     public bool HasAlpha => _pixels.HasAlpha;
 

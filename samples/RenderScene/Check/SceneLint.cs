@@ -27,7 +27,7 @@ internal sealed class SceneLint(LoadedScene scene)
     private void CheckPicture(TextureSite site, Texture picture)
     {
         PictureFacts facts = Facts(picture);
-        CheckColorSpace(site, picture);
+        CheckColorSpace(site, picture, facts);
         CheckShape(site, picture, facts);
         CheckOutside(site, picture);
         CheckContent(site, picture, facts);
@@ -37,8 +37,13 @@ internal sealed class SceneLint(LoadedScene scene)
         }
     }
 
-    private void CheckColorSpace(TextureSite site, Texture picture)
+    private void CheckColorSpace(TextureSite site, Texture picture, PictureFacts facts)
     {
+        if (!site.IsData && picture.Sampling.ColorSpace == ColorSpace.Auto && facts.ColorDoubt is { } doubt)
+        {
+            Report(site, picture, $"its colours may be off: {doubt}; save it as sRGB, or say colorSpace");
+        }
+
         if (site.IsData && site.Channel != TextureChannel.Alpha && picture.Sampling.ColorSpace == ColorSpace.Srgb)
         {
             Report(site, picture, "data is decoded as sRGB, which bends its numbers; leave colorSpace out, or say linear");

@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 namespace LabRaytracer;
 
 /// <summary>A file that exists, named relative to the scene's folder.</summary>
-internal sealed class FileFormat(string what) : Format<NamedFile>
+internal sealed class FileFormat(string what, bool isPicture = false) : Format<NamedFile>
 {
     public override string Allowed => $"the path of {what} in the scene's folder or below, with '/' between folders";
 
@@ -17,7 +17,7 @@ internal sealed class FileFormat(string what) : Format<NamedFile>
         }
 
         string name = node.Text();
-        if (reading.Folder.Find(name, reading.Folder.Root, out string path) is { } why)
+        if (reading.Folder.Find(name, reading.Folder.Root, out string path, isPicture) is { } why)
         {
             return reading.Mistake(node, why, Allowed);
         }

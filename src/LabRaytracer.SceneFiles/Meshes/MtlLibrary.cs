@@ -22,7 +22,7 @@ internal sealed class MtlLibrary(SceneSource obj, string from, SceneFolder folde
     /// <param name="offset">Where the line is.</param>
     public void Load(string names, int offset)
     {
-        string[] all = folder.Find(Portable(names), from, out _) is null ? [names] : names.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
+        string[] all = folder.Find(Portable(names), from, out _, isPicture: false) is null ? [names] : names.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (all.Length == 0)
         {
             Mistake(offset, "the line names no file", "mtllib with the names of MTL files");
@@ -30,7 +30,7 @@ internal sealed class MtlLibrary(SceneSource obj, string from, SceneFolder folde
 
         foreach (string name in all)
         {
-            if (folder.Find(Portable(name), from, out string path) is { } why)
+            if (folder.Find(Portable(name), from, out string path, isPicture: false) is { } why)
             {
                 Mistake(offset, why, "MTL files in the folder of the OBJ file");
             }

@@ -154,13 +154,13 @@ internal sealed class MtlReader(SceneSource source, string from, SceneFolder fol
 
         int at = line.Position;
         string name = Encoding.UTF8.GetString(line.Rest());
-        if (folder.Find(MtlLibrary.Portable(name), from, out string path) is { } why)
+        if (folder.Find(MtlLibrary.Portable(name), from, out string path, isPicture: true) is { } why)
         {
             Mistakes.Add(new SceneFileError(source.Locate(at), why, "the path of a picture, relative to the folder of this file"));
             return;
         }
 
-        Texture texture = folder.Open(path).With(options.Sampling);
+        Texture texture = folder.Open(path, () => source.Locate(at)).With(options.Sampling);
         places.Note(texture, source, at);
         draft.Maps[word] = new MtlMap(texture, options.Transform, options.Channel) { BumpHeight = options.BumpHeight };
     }

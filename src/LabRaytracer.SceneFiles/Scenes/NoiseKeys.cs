@@ -5,7 +5,7 @@ namespace LabRaytracer;
 internal sealed class NoiseKeys(Noise standard)
 {
     private readonly Key<NoiseKind> _kind = Key.Optional(
-        "noise", ChoiceFormat.Of<NoiseKind>(), standard.Kind, "Lattice noise: smooth gradients (Perlin), values with linear, or with cubic interpolation.");
+        "noise", ChoiceFormat.Of<NoiseKind>(), standard.Kind, "Lattice noise: smooth gradients (Perlin), values with linear or with cubic interpolation, or gradients at the corners of tetrahedra (simplex).");
 
     private readonly Key<NoiseSum> _sum = Key.Optional(
         "sum", ChoiceFormat.Of<NoiseSum>(), standard.Sum, "Octaves as they are (fractional Brownian motion), or their absolute values (turbulence).");

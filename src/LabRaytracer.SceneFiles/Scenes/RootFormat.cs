@@ -58,6 +58,10 @@ internal static class RootFormat
             scene.Lights.Add(light);
         }
 
-        return new LoadedScene(scene, fields.Find(s_render) ?? new RenderOptions(), fields.Find(s_output) ?? SceneOutput.Default, fields.Reading.SourceMap);
+        return new LoadedScene(scene, fields.Find(s_render) ?? new RenderOptions(), fields.Find(s_output) ?? SceneOutput.Default, Named(fields.Reading), fields.Reading.SourceMap);
     }
+
+    /// <summary>The named textures without those that have a mistake, which the scene is refused for.</summary>
+    private static Dictionary<string, ITexture> Named(SceneReading reading) =>
+        reading.Textures.Where(named => named.Value is not null).ToDictionary(named => named.Key, named => named.Value!, StringComparer.Ordinal);
 }

@@ -43,7 +43,7 @@ internal static class SettingsFormats
     private static readonly Key<int> s_bitDepth = Key.Optional("bitDepth", new IntegerFormat(8, 16), 8, "Bits a component: 8 or 16.");
 
     private static readonly Key<Dithering> s_dither = Key.Optional(
-        "dither", ChoiceFormat.Of<Dithering>(), Dithering.None, "Whether smooth light is broken up by an 8 x 8 pattern where it is rounded to 8 bits: no bands in gradients.");
+        "dither", ChoiceFormat.Of<Dithering>(), Dithering.None, "How smooth light is broken up where it is rounded to 8 bits, so that gradients have no bands: by an 8 x 8 pattern, or by blue noise.");
 
     private static readonly Key<string> s_file = Key.Optional("file", TextFormat.Instance, "Name of the written picture, without folders; the extension tells the format.");
 

@@ -6,7 +6,7 @@ internal static class TextureFormats
     private static readonly GridTexture s_grid = new();
 
     private static readonly Key<NamedFile> s_file = Key.Required(
-        "file", new FileFormat("a picture"), "Path of a PNG, PPM, PGM, PFM, HDR or JPEG picture, relative to the folder of this file.");
+        "file", new FileFormat("a picture", isPicture: true), "Path of a PNG, PPM, PGM, PFM, HDR or JPEG picture, relative to the folder of this file.");
 
     private static readonly Key<TextureFilter> s_filter = Key.Optional(
         "filter", ChoiceFormat.Of<TextureFilter>(), TextureFilter.Bilinear, "How a colour is made of the texels around a point.");
@@ -74,7 +74,7 @@ internal static class TextureFormats
     private static ITexture Open(Fields fields)
     {
         NamedFile file = fields.Get(s_file);
-        Texture texture = fields.Reading.Folder.Open(file.Path).With(new SamplingOptions
+        Texture texture = fields.Reading.Folder.Open(file.Path, file.Node.Location).With(new SamplingOptions
         {
             Filter = fields.Get(s_filter),
             Texels = fields.Get(s_texels),

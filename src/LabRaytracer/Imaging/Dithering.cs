@@ -11,4 +11,10 @@ public enum Dithering
     /// stays the same within 1/128 of the step between the two codes. Light that is exactly that of a code keeps it (Bayer 1973).
     /// </summary>
     Ordered,
+
+    /// <summary>
+    /// Blue noise, 64 x 64 pixels: as <see cref="Ordered"/>, but with thresholds that have no pattern, only a fine grain. The mean light of every 64 x 64 pixels stays the
+    /// same within 1/8192 of the step between the two codes (Ulichney 1993).
+    /// </summary>
+    BlueNoise,
 }

@@ -24,6 +24,9 @@ public sealed class ConeMapping : IWideMapping
 {
     bool IWideMapping.NeedsNormal => true;
 
+    /// <summary>u runs around the axis.</summary>
+    public bool ClosesU => true;
+
     /// <summary>Clamp: the picture ends at both ends of v.</summary>
     public TextureWrap DefaultWrapV => TextureWrap.Clamp;
 

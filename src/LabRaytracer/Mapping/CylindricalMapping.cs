@@ -22,6 +22,9 @@ namespace LabRaytracer;
 /// </remarks>
 public sealed class CylindricalMapping : IWideMapping
 {
+    /// <summary>u runs around the axis.</summary>
+    public bool ClosesU => true;
+
     /// <summary>Clamp: the picture ends at both ends of v.</summary>
     public TextureWrap DefaultWrapV => TextureWrap.Clamp;
 

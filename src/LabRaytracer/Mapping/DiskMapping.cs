@@ -21,6 +21,9 @@ namespace LabRaytracer;
 /// </remarks>
 public sealed class DiskMapping : IWideMapping
 {
+    /// <summary>u runs around the axis.</summary>
+    public bool ClosesU => true;
+
     /// <summary>Clamp: the picture ends at both ends of v.</summary>
     public TextureWrap DefaultWrapV => TextureWrap.Clamp;
 

@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>The sphere around the origin by longitude and height: equal areas of the sphere have equal areas on the picture (Lambert's cylindrical projection).</summary>
 /// <remarks>
 /// <para>u = phi / 2 pi with phi = atan2(x, z), v = (1 + y / r) / 2 with r = sqrt(x² + y² + z²).</para>
-/// <para>u in [0, 1), v in [0, 1]; u within 1 ulp, v within 4, also where it is small. u = 0 on the axis, v = 1/2 at the origin. The length of (x, y, z) does not matter.
+/// <para>u in [0, 1), v in [0, 1]; u within 1 ulp, v within 8, also where it is small. u = 0 on the axis, v = 1/2 at the origin. The length of (x, y, z) does not matter.
 /// The seam u = 0 is the half meridian x = 0, z &gt; 0. A picture of aspect pi:1 has square texels at the equator.</para>
 /// <para>The gradient of u is that of <see cref="SphericalMapping"/>; that of v is (-x y, x² + z², -z y) / (2 r³).</para>
 /// <list type="table">
@@ -21,6 +21,9 @@ namespace LabRaytracer;
 /// </remarks>
 public sealed class EqualAreaMapping : IWideMapping
 {
+    /// <summary>u runs around the axis.</summary>
+    public bool ClosesU => true;
+
     /// <summary>Clamp: the picture ends at both ends of v.</summary>
     public TextureWrap DefaultWrapV => TextureWrap.Clamp;
 
@@ -51,13 +54,13 @@ public sealed class EqualAreaMapping : IWideMapping
         {
             T u = Elementary.Atan2Turns(x, z);
             Elementary.ToUnitBox(ref x, ref y, ref z);
-            T flat = T.Fma(x, x, z * z), length = T.Sqrt(T.Fma(y, y, flat)), half = T.Of(0.5);
-            T isOrigin = T.Equal(length, T.Zero);
-            length = T.Select(isOrigin, T.Of(1), length);
+            T flat = T.Fma(x, x, z * z), square = T.Fma(y, y, flat), half = T.Of(0.5);
+            square = T.Select(T.Equal(square, T.Zero), T.Of(1), square);
+            T length = T.Sqrt(square);
 
-            // Below the equator 1 + y / r = rho² / (r (r - y)) does not cancel.
+            // Below the equator 1 + y / r = rho² / (r² - r y) does not cancel.
             T north = T.Fma(y / length, half, half);
-            T south = half * flat / (length * (length - y));
+            T south = half * flat / T.Fma(-length, y, square);
             return (u, T.Min(T.Select(T.Less(y, T.Zero), south, north), T.Of(1)));
         }
 

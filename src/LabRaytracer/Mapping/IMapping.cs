@@ -14,12 +14,24 @@ public interface IMapping
     /// <summary>Wrap in v for textures that do not choose one. Default: repeat.</summary>
     TextureWrap DefaultWrapV => TextureWrap.Repeat;
 
+    /// <summary>Tells whether u runs around the surface, so that u and u + 1 are the same place: decals that lie over the seam go on at its other side. Default: no.</summary>
+    bool ClosesU => false;
+
+    /// <summary>Tells whether v runs around the surface, so that v and v + 1 are the same place. Default: no.</summary>
+    bool ClosesV => false;
+
+    /// <summary>The space of the points that the mapping reads, and of its gradient: the object's own, or the world. Default: the object.</summary>
+    TextureFrame Frame => TextureFrame.Object;
+
     /// <summary>Texture coordinates of a point of a surface.</summary>
     /// <param name="position">The point, in object space.</param>
     /// <returns>(u, v), v up. Finite for every finite point.</returns>
     TextureCoordinate Map(in SurfacePosition position);
 
-    /// <summary>How fast (u, v) changes with the local point: what filters and tangents are made of. Default: by differences of <see cref="Map"/> to both sides.</summary>
+    /// <summary>
+    /// How fast (u, v) changes with the local point (with the world point where that is the <see cref="Frame"/>): what filters and tangents are made of.
+    /// Default: by differences of <see cref="Map"/> to both sides.
+    /// </summary>
     /// <param name="position">The point, in object space.</param>
     /// <returns>Finite for every finite point; the same on both sides of a seam.</returns>
     /// <remarks>

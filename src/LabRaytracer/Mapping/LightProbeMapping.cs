@@ -70,11 +70,16 @@ public sealed class LightProbeMapping : IWideMapping
     private (T U, T V) Coordinates<T>(T x, T y, T z)
         where T : unmanaged, IReal<T>
     {
+        // Around the axis x and y count, however small beside z: next to the rim they decide which part of it is seen.
+        T across = Elementary.Finite(x), along = Elementary.Finite(y), half = T.Of(0.5), one = T.Of(1);
+        T larger = T.Max(T.Abs(across), T.Abs(along)), isAxis = T.Equal(larger, T.Zero);
+        larger = T.Select(isAxis, one, larger);
+        (across, along) = (across / larger, along / larger);
+        T radius = T.Sqrt(T.Fma(across, across, along * along));
+        T cos = T.Select(isAxis, one, across / radius), sin = T.Select(isAxis, T.Zero, along / radius);
+
         Elementary.ToUnitBox(ref x, ref y, ref z);
-        T distance = Elementary.Hypotenuse(x, y), half = T.Of(0.5), one = T.Of(1);
-        T turns = Elementary.Atan2Turns(distance, Facing == LightProbeFacing.PositiveZ ? z : -z);
-        T isAxis = T.Equal(distance, T.Zero);
-        T cos = T.Select(isAxis, one, x / distance), sin = T.Select(isAxis, T.Zero, y / distance);
+        T turns = Elementary.Atan2Turns(Elementary.Hypotenuse(x, y), Facing == LightProbeFacing.PositiveZ ? z : -z);
         return (T.Min(T.Max(T.Fma(turns, cos, half), T.Zero), one), T.Min(T.Max(T.Fma(turns, sin, half), T.Zero), one));
     }
 

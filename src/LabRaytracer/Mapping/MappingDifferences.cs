@@ -13,7 +13,8 @@ internal static class MappingDifferences
     /// </remarks>
     public static MappingGradient Gradient(IMapping mapping, in SurfacePosition position)
     {
-        double size = Math.Max(Math.Max(Math.Abs(position.LocalPoint.X), Math.Abs(position.LocalPoint.Y)), Math.Abs(position.LocalPoint.Z));
+        Point3D place = mapping.Frame == TextureFrame.World ? position.WorldPoint : position.LocalPoint;
+        double size = Math.Max(Math.Max(Math.Abs(place.X), Math.Abs(place.Y)), Math.Abs(place.Z));
         double step = RelativeStep * (size > 0 ? size : 1);
         (double ux, double vx) = Along(mapping, position, new Vector3D(step, 0, 0), step);
         (double uy, double vy) = Along(mapping, position, new Vector3D(0, step, 0), step);
@@ -23,14 +24,19 @@ internal static class MappingDifferences
 
     private static (double U, double V) Along(IMapping mapping, in SurfacePosition position, Vector3D offset, double step)
     {
-        TextureCoordinate before = mapping.Map(Moved(position, -offset));
+        TextureCoordinate before = mapping.Map(Moved(mapping.Frame, position, -offset));
         TextureCoordinate here = mapping.Map(position);
-        TextureCoordinate after = mapping.Map(Moved(position, offset));
+        TextureCoordinate after = mapping.Map(Moved(mapping.Frame, position, offset));
         return (Slope(before.U, here.U, after.U) / step, Slope(before.V, here.V, after.V) / step);
     }
 
-    private static SurfacePosition Moved(in SurfacePosition position, Vector3D offset)
+    private static SurfacePosition Moved(TextureFrame frame, in SurfacePosition position, Vector3D offset)
     {
+        if (frame == TextureFrame.World)
+        {
+            return position with { WorldPoint = position.WorldPoint + offset };
+        }
+
         TextureFootprint own = position.SurfaceGradient.Over(offset, default);
         return position with
         {

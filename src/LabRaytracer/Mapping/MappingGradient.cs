@@ -1,8 +1,8 @@
 namespace LabRaytracer;
 
 /// <summary>How fast texture coordinates change with the local point: the gradients of u and v.</summary>
-/// <param name="U">Gradient of u, object space, texture units a unit of the local point.</param>
-/// <param name="V">Gradient of v, object space, texture units a unit of the local point.</param>
+/// <param name="U">Gradient of u, object space (world space for mappings whose frame is the world), texture units a unit of the point.</param>
+/// <param name="V">Gradient of v, in the same space.</param>
 /// <remarks>
 /// A small step d of the local point changes u by U . d and v by V . d. The tangents of a surface along u and v follow from them; for a sphere they point east and north.
 /// Immutable, thread safe.

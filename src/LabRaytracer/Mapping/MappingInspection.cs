@@ -195,7 +195,7 @@ internal sealed class MappingInspection(IMapping mapping)
     private static SurfacePosition Position(Vector3D point)
     {
         double length = point.Length;
-        return new SurfacePosition(Point3D.Origin + point, length > 0 && double.IsFinite(length) ? point / length : Vector3D.UnitY, default);
+        return new SurfacePosition(Point3D.Origin + point, length > 0 && double.IsFinite(length) ? point / length : Vector3D.UnitY, default) { WorldPoint = Point3D.Origin + point };
     }
 
     private static string Text(TextureCoordinate at) => string.Create(CultureInfo.InvariantCulture, $"(u, v) = ({at.U:g6}, {at.V:g6})");

@@ -73,7 +73,7 @@ public sealed class ProjectorMapping : IWideMapping
     /// <summary>Width of its picture over its height.</summary>
     public double Aspect { get; }
 
-    /// <summary>The space the projector stands in. In world space the gradient is not known: pictures are not filtered.</summary>
+    /// <summary>The space the projector stands in; its gradient is one of this space.</summary>
     public TextureFrame Frame { get; }
 
     /// <summary>Border: there is nothing beside the slide.</summary>
@@ -86,7 +86,7 @@ public sealed class ProjectorMapping : IWideMapping
     [MethodImpl(MethodImplOptions.NoInlining)]
     public TextureCoordinate Map(in SurfacePosition position)
     {
-        Point3D p = Frame == TextureFrame.World ? position.WorldPoint : position.LocalPoint;
+        Point3D p = Place(position);
         (Double1 u, Double1 v) = Coordinates<Double1>(new(p.X), new(p.Y), new(p.Z));
         return new TextureCoordinate(u.Value, v.Value);
     }
@@ -95,7 +95,8 @@ public sealed class ProjectorMapping : IWideMapping
     [MethodImpl(MethodImplOptions.NoInlining)]
     public MappingGradient Gradient(in SurfacePosition position)
     {
-        Slopes<Double1>(new(position.LocalPoint.X), new(position.LocalPoint.Y), new(position.LocalPoint.Z), out GradientLanes<Double1> gradient);
+        Point3D p = Place(position);
+        Slopes<Double1>(new(p.X), new(p.Y), new(p.Z), out GradientLanes<Double1> gradient);
         return PointFormulas.Of(gradient);
     }
 
@@ -111,12 +112,16 @@ public sealed class ProjectorMapping : IWideMapping
 
     unsafe void IWideMapping.Gradients<T>(in PositionBatch<T> positions, in GradientBatch<T> gradients, int packets)
     {
+        bool isWorld = Frame == TextureFrame.World;
+        T* x = isWorld ? positions.WorldX : positions.X, y = isWorld ? positions.WorldY : positions.Y, z = isWorld ? positions.WorldZ : positions.Z;
         for (int i = 0; i < packets; i++)
         {
-            Slopes(positions.X[i], positions.Y[i], positions.Z[i], out GradientLanes<T> gradient);
+            Slopes(x[i], y[i], z[i], out GradientLanes<T> gradient);
             gradients.Store(i, gradient);
         }
     }
+
+    private Point3D Place(in SurfacePosition position) => Frame == TextureFrame.World ? position.WorldPoint : position.LocalPoint;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private (T U, T V) Coordinates<T>(T x, T y, T z)
@@ -148,16 +153,12 @@ public sealed class ProjectorMapping : IWideMapping
     private static T Along<T>(Vector3D axis, T x, T y, T z)
         where T : unmanaged, IReal<T> => Lane.Dot(x, y, z, T.Of(axis.X), T.Of(axis.Y), T.Of(axis.Z));
 
-    /// <summary>(axis - (axis . q / d) f) / d: the quotient rule. 0 behind the eye, where nothing changes, and in world space.</summary>
+    /// <summary>(axis - (axis . q / d) f) / d: the quotient rule. 0 behind the eye, where nothing changes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Slopes<T>(T x, T y, T z, out GradientLanes<T> gradient)
         where T : unmanaged, IReal<T>
     {
         gradient = default;
-        if (Frame == TextureFrame.World)
-        {
-            return;
-        }
 
         // Nearer than 2^-20 the slope is that at 2^-20.
         T isAhead = Locate(x, y, z, out T depth, out T right, out T up);

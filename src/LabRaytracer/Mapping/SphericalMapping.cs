@@ -23,6 +23,9 @@ namespace LabRaytracer;
 /// </remarks>
 public sealed class SphericalMapping : IWideMapping
 {
+    /// <summary>u runs around the axis.</summary>
+    public bool ClosesU => true;
+
     /// <summary>Pole: filters go on at the other side of the poles.</summary>
     public TextureWrap DefaultWrapV => TextureWrap.Pole;
 

@@ -31,6 +31,12 @@ public sealed class TorusMapping : IWideMapping
     /// <summary>Radius of the ring, local units.</summary>
     public double RingRadius { get; }
 
+    /// <summary>u runs around the axis.</summary>
+    public bool ClosesU => true;
+
+    /// <summary>v runs around the tube.</summary>
+    public bool ClosesV => true;
+
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public TextureCoordinate Map(in SurfacePosition position)

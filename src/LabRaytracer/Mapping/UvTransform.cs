@@ -69,6 +69,17 @@ public sealed record UvTransform
         return new UvTransform(cos * perU, sin * perU, -sin * perV, cos * perV, center, new TextureCoordinate(0.5, 0.5));
     }
 
+    /// <summary>The coordinates that become (1/2, 1/2): the centre of a picture that is placed; null if there are none or many.</summary>
+    internal TextureCoordinate? Center
+    {
+        get
+        {
+            double area = (_uu * _vv) - (_uv * _vu), u = 0.5 - _u0, v = 0.5 - _v0;
+            TextureCoordinate center = new(((_vv * u) - (_uv * v)) / area, ((_uu * v) - (_vu * u)) / area);
+            return double.IsFinite(center.U) && double.IsFinite(center.V) ? center : null;
+        }
+    }
+
     /// <summary>The transformed coordinates.</summary>
     /// <remarks>For quarter turns the error is at most 4 units of 2^-53 of the sum of the terms' magnitudes.</remarks>
     /// <param name="coordinate">Texture coordinates; finite.</param>

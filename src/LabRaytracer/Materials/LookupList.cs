@@ -70,6 +70,21 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
         }
     }
 
+    /// <summary>Tells whether some mapping reads world points.</summary>
+    public bool ReadsWorld
+    {
+        get
+        {
+            bool reads = false;
+            foreach (CompiledCoordinates set in _coordinates)
+            {
+                reads |= set.Mapping.Frame == TextureFrame.World;
+            }
+
+            return reads;
+        }
+    }
+
     /// <summary>Tells whether some texture reads the footprints of a coordinate set.</summary>
     public bool NeedsFootprint(int set)
     {
@@ -120,15 +135,18 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
     private CompiledLayer Compile(TextureLayer layer)
     {
         ITexture texture = layer.Texture;
-        int edge = layer.IsDecal ? AddCoordinates(layer.Mapping, layer.Transform) : -1;
+        CompiledCoordinates place = layer.IsDecal
+            ? CompiledCoordinates.OfDecal(layer.Mapping ?? defaultMapping, layer.Transform)
+            : new CompiledCoordinates(layer.Mapping ?? defaultMapping, layer.Transform);
+        int edge = layer.IsDecal ? AddCoordinates(place) : -1;
         if (texture.Needs == TextureNeeds.None)
         {
             float alpha = texture.HasAlpha ? texture.Alpha(default) : 1;
             return new CompiledLayer(-1, -1, edge, texture.Sample(default) * alpha, alpha, layer.Blend, layer.Opacity);
         }
 
-        int color = Add(texture, layer.Mapping, layer.Transform, texture.HasAlpha ? TextureUse.Premultiplied : TextureUse.Color);
-        int alphaLookup = texture.HasAlpha ? Add(texture, layer.Mapping, layer.Transform, TextureUse.Alpha) : -1;
+        int color = Add(texture, place, texture.HasAlpha ? TextureUse.Premultiplied : TextureUse.Color);
+        int alphaLookup = texture.HasAlpha ? Add(texture, place, TextureUse.Alpha) : -1;
         return new CompiledLayer(color, alphaLookup, edge, Intensity.Black, 1, layer.Blend, layer.Opacity);
     }
 
@@ -153,9 +171,12 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
 
     /// <summary>Adds a lookup, or finds it.</summary>
     /// <returns>Its number.</returns>
-    public int Add(ITexture texture, IMapping? mapping, UvTransform transform, TextureUse use)
+    public int Add(ITexture texture, IMapping? mapping, UvTransform transform, TextureUse use) =>
+        Add(texture, new CompiledCoordinates(mapping ?? defaultMapping, transform), use);
+
+    private int Add(ITexture texture, in CompiledCoordinates coordinates, TextureUse use)
     {
-        (ITexture, TextureUse, int) key = (texture, use, (texture.Needs & TextureNeeds.Coordinate) == 0 ? -1 : AddCoordinates(mapping, transform));
+        (ITexture, TextureUse, int) key = (texture, use, (texture.Needs & TextureNeeds.Coordinate) == 0 ? -1 : AddCoordinates(coordinates));
         int known = _keys.IndexOf(key);
         return known >= 0 ? known : Append(key, new CompiledLookup(textures.Prepare(texture, use), textures.Needs(texture), key.Item3));
     }
@@ -191,9 +212,10 @@ internal sealed class LookupList(IMapping defaultMapping, TexturePreparation tex
 
     /// <summary>Adds a coordinate set, or finds it.</summary>
     /// <returns>Its number.</returns>
-    public int AddCoordinates(IMapping? mapping, UvTransform transform)
+    public int AddCoordinates(IMapping? mapping, UvTransform transform) => AddCoordinates(new CompiledCoordinates(mapping ?? defaultMapping, transform));
+
+    private int AddCoordinates(in CompiledCoordinates set)
     {
-        CompiledCoordinates set = new(mapping ?? defaultMapping, transform);
         int index = _coordinates.IndexOf(set);
         if (index < 0)
         {

@@ -1,10 +1,10 @@
 namespace LabRaytracer;
 
-/// <summary>The views that show what a texture filter is up to: how many texels a sample covers, and how much longer than wide it is on the texture.</summary>
+/// <summary>The views that show what a texture filter is up to: how many texels a sample covers, along and in area, and how much longer than wide it is on the texture.</summary>
 internal static unsafe class FilterView
 {
     /// <summary>Tells whether a view is one of these.</summary>
-    public static bool Is(RenderView view) => view is RenderView.Mip or RenderView.Stretch;
+    public static bool Is(RenderView view) => view is RenderView.Mip or RenderView.Stretch or RenderView.Density;
 
     /// <summary>Writes the view's colours as radiance.</summary>
     /// <param name="view">Which of them.</param>
@@ -25,7 +25,12 @@ internal static unsafe class FilterView
                 for (int i = 0; i < count; i++)
                 {
                     (double longer, double shorter) = Sides(footprints.Take(i), axes.Across.Size, axes.Up.Size);
-                    buffers.Radiance.Put(i, view == RenderView.Mip ? LevelColor(longer < 1 ? -1 : Elementary.Log2(new Double1(longer)).Value) : SampleHeat.Color(longer / Math.Max(shorter, longer * 1e-6)));
+                    buffers.Radiance.Put(i, view switch
+                    {
+                        RenderView.Mip => LevelColor(longer < 1 ? -1 : Elementary.Log2(new Double1(longer)).Value),
+                        RenderView.Density => DensityColor(longer * shorter),
+                        _ => SampleHeat.Color(longer / Math.Max(shorter, longer * 1e-6)),
+                    });
                 }
 
                 return;
@@ -48,6 +53,17 @@ internal static unsafe class FilterView
         double xx = (ax * ax) + (bx * bx), yy = (ay * ay) + (by * by), xy = (ax * ay) + (bx * by), half = (xx - yy) / 2;
         double longer = Math.Sqrt(((xx + yy) / 2) + Math.Sqrt((half * half) + (xy * xy)));
         return (longer, longer > 0 ? Math.Abs((ax * by) - (ay * bx)) / longer : 0);
+    }
+
+    /// <summary>Dark blue, blue, cyan, white, yellow, red and dark red at 1/64, 1/16, 1/4, 1, 4, 16 and 64 texels, mixed between them.</summary>
+    /// <param name="texels">Texels that a sample covers, in area.</param>
+    public static Intensity DensityColor(double texels)
+    {
+        const double most = 64;
+        ReadOnlySpan<Intensity> stops = [new(0, 0, 0.25f), new(0, 0, 1), new(0, 1, 1), Intensity.White, new(1, 1, 0), new(1, 0, 0), new(0.25f, 0, 0)];
+        double step = (Elementary.Log2(new Double1(Math.Clamp(double.IsNaN(texels) ? 0 : texels, 1 / most, most))).Value / 2) + 3;
+        int index = (int)Math.Clamp(step, 0, stops.Length - 2);
+        return Intensity.Lerp(stops[index], stops[index + 1], (float)(step - index));
     }
 
     /// <summary>Dark grey below level 0; then white, red, yellow, green, cyan, blue, violet at levels 0 to 6 and beyond, mixed between them.</summary>

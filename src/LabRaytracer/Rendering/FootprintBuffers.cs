@@ -24,9 +24,11 @@ internal sealed unsafe class FootprintBuffers<R, F, I>
         F* Column() => R.IsSingle ? null : memory.Column<F>(capacity, F.Width);
         _narrow = new PositionBatch<F>
         {
-            X = Column(), Y = Column(), Z = Column(), NormalX = Column(), NormalY = Column(), NormalZ = Column(), SurfaceGradient = Steps.SurfaceGradient,
+            X = Column(), Y = Column(), Z = Column(), NormalX = Column(), NormalY = Column(), NormalZ = Column(),
+            WorldX = Column(), WorldY = Column(), WorldZ = Column(), SurfaceGradient = Steps.SurfaceGradient,
         };
         Local = LocalFootprintColumns.Of(Steps.LocalDx, Steps.LocalDy);
+        World = LocalFootprintColumns.Of(Steps.WorldDx, Steps.WorldDy);
     }
 
     /// <summary>Steps on the surfaces of the group.</summary>
@@ -41,10 +43,14 @@ internal sealed unsafe class FootprintBuffers<R, F, I>
     /// <summary>Footprints on the surfaces: the steps in local space.</summary>
     public LocalFootprintColumns Local { get; }
 
+    /// <summary>Footprints on the surfaces: the steps in world space.</summary>
+    public LocalFootprintColumns World { get; }
+
     /// <summary>Points and normals of a group rounded to float, for gradients, which need no more.</summary>
     /// <param name="positions">The points.</param>
     /// <param name="packets">Groups of lanes.</param>
-    public PositionBatch<F> Narrow(in PositionBatch<R> positions, int packets)
+    /// <param name="hasWorld">Whether world points are read too.</param>
+    public PositionBatch<F> Narrow(in PositionBatch<R> positions, int packets, bool hasWorld)
     {
         PositionBatch<R> from = positions;
         PositionBatch<F> to = _narrow;
@@ -56,6 +62,9 @@ internal sealed unsafe class FootprintBuffers<R, F, I>
             to.NormalX = (F*)from.NormalX;
             to.NormalY = (F*)from.NormalY;
             to.NormalZ = (F*)from.NormalZ;
+            to.WorldX = (F*)from.WorldX;
+            to.WorldY = (F*)from.WorldY;
+            to.WorldZ = (F*)from.WorldZ;
             return to;
         }
 
@@ -67,6 +76,13 @@ internal sealed unsafe class FootprintBuffers<R, F, I>
             to.NormalX[packet] = R.ToSingle(from.NormalX[packet]);
             to.NormalY[packet] = R.ToSingle(from.NormalY[packet]);
             to.NormalZ[packet] = R.ToSingle(from.NormalZ[packet]);
+        }
+
+        for (int packet = 0; hasWorld && packet < packets; packet++)
+        {
+            to.WorldX[packet] = R.ToSingle(from.WorldX[packet]);
+            to.WorldY[packet] = R.ToSingle(from.WorldY[packet]);
+            to.WorldZ[packet] = R.ToSingle(from.WorldZ[packet]);
         }
 
         return to;

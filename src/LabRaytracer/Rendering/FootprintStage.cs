@@ -58,6 +58,8 @@ internal static unsafe class FootprintStage
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
+            TurnBack(packet, run, Transform.Identity, d.DirectionDx, steps.WorldDx);
+            TurnBack(packet, run, Transform.Identity, d.DirectionDy, steps.WorldDy);
             TurnBack(packet, run, rotation, d.DirectionDx, steps.LocalDx);
             TurnBack(packet, run, rotation, d.DirectionDy, steps.LocalDy);
         }
@@ -81,7 +83,7 @@ internal static unsafe class FootprintStage
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        PositionBatch<F> narrow = Narrow(buffers, count);
+        PositionBatch<F> narrow = Narrow(buffers, count, material.ReadsWorld);
         for (int set = 0; set < material.Coordinates.Count; set++)
         {
             if (material.NeedsFootprint(set))
@@ -99,12 +101,12 @@ internal static unsafe class FootprintStage
     public static void Map<R, F, I>(in CompiledCoordinates set, ShadingBuffers<R, F, I> buffers, int number, int count)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> => Map(set, Narrow(buffers, count), buffers.Surfaces, buffers.Footprints!, number, count);
+        where I : unmanaged, IIndexLane<I> => Map(set, Narrow(buffers, count, set.Mapping.Frame == TextureFrame.World), buffers.Surfaces, buffers.Footprints!, number, count);
 
-    private static PositionBatch<F> Narrow<R, F, I>(ShadingBuffers<R, F, I> buffers, int count)
+    private static PositionBatch<F> Narrow<R, F, I>(ShadingBuffers<R, F, I> buffers, int count, bool hasWorld)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> => buffers.Footprints!.Narrow(buffers.Surfaces.Positions, (count + R.Width - 1) / R.Width);
+        where I : unmanaged, IIndexLane<I> => buffers.Footprints!.Narrow(buffers.Surfaces.Positions, (count + R.Width - 1) / R.Width, hasWorld);
 
     /// <summary>Changes of one coordinate set over the steps on the surfaces.</summary>
     /// <param name="set">The mapping.</param>
@@ -134,11 +136,13 @@ internal static unsafe class FootprintStage
         }
 
         FootprintColumns result = footprints.Sets[number];
-        Change(footprints.Gradients, footprints.Steps.LocalDx, set.Transform, (F*)result.DuDx, (F*)result.DvDx, packets);
-        Change(footprints.Gradients, footprints.Steps.LocalDy, set.Transform, (F*)result.DuDy, (F*)result.DvDy, packets);
+        SurfaceSteps<F> steps = footprints.Steps;
+        bool isWorld = set.Mapping.Frame == TextureFrame.World;
+        Change(footprints.Gradients, isWorld ? steps.WorldDx : steps.LocalDx, set.Transform, (F*)result.DuDx, (F*)result.DvDx, packets);
+        Change(footprints.Gradients, isWorld ? steps.WorldDy : steps.LocalDy, set.Transform, (F*)result.DuDy, (F*)result.DvDy, packets);
     }
 
-    /// <summary>Changes of u and v over steps of the local point.</summary>
+    /// <summary>Changes of u and v over steps of the local or of the world point.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void Change<F>(in GradientBatch<F> gradients, in VectorColumns<F> steps, UvTransform transform, F* du, F* dv, int packets)
         where F : unmanaged, IReal<F>

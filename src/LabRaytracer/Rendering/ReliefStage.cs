@@ -51,7 +51,7 @@ internal sealed unsafe class ReliefStage<R, F, I>
         }
 
         group.Differentiate(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, _slopes.Steps, relief.Steps);
-        PositionBatch<F> narrow = _slopes.Narrow(_buffers.Surfaces.Positions, packets);
+        PositionBatch<F> narrow = _slopes.Narrow(_buffers.Surfaces.Positions, packets, material.Textures.ReadsWorld);
         if (relief.MapCoordinates >= 0)
         {
             FootprintStage.Map(material.Coordinates[relief.MapCoordinates], narrow, _buffers.Surfaces, _slopes, relief.MapCoordinates, count);

@@ -49,4 +49,10 @@ public enum RenderView
 
     /// <summary>How many times as long as wide a sample is on that texture: black 1, blue 4, red 16, yellow 64, white 256 or more; grey without a picture texture.</summary>
     Stretch,
+
+    /// <summary>
+    /// How many texels of that texture a sample covers, in area: white where it is one; magnified towards cyan 1/4, blue 1/16, dark blue 1/64 and less; more texels than
+    /// samples towards yellow 4, red 16, dark red 64 and more; grey without a picture texture. With one sample a pixel this is texels a pixel.
+    /// </summary>
+    Density,
 }

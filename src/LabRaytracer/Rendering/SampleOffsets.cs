@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace LabRaytracer;
 
 /// <summary>Where samples lie in their pixels: from (seed, pixel, sample) alone, so that any pixel can be repeated by itself.</summary>
@@ -14,6 +16,39 @@ internal static class SampleOffsets
         int side = Side(options);
         int cell = axis == 0 ? sample % side : sample / side;
         return (cell + ((Hash(options.Seed, pixelX, pixelY, (2 * sample) + axis) >> 11) * (1.0 / (1UL << 53)))) / side;
+    }
+
+    /// <summary>Position of a multi-jittered sample of an n x n grid along one axis, [0, 1): inside of its cell in a row (a column) of n² of its own.</summary>
+    /// <param name="options">Number of samples, seed.</param>
+    /// <param name="pixelX">Column in the whole picture.</param>
+    /// <param name="pixelY">Row in the whole picture.</param>
+    /// <param name="sample">Number of the sample.</param>
+    /// <param name="axis">0 for x, 1 for y.</param>
+    public static double MultiJittered(RenderOptions options, int pixelX, int pixelY, int sample, int axis)
+    {
+        // Cells in one column take different parts of it: which one is a permutation of their rows, another one in each column; likewise the other way around.
+        int side = Side(options), cell = axis == 0 ? sample % side : sample / side, other = axis == 0 ? sample / side : sample % side;
+        uint key = (uint)(Hash(options.Seed, pixelX, pixelY, -3 - (2 * cell) - axis) >> 32);
+        double inside = (Hash(options.Seed, pixelX, pixelY, (2 * sample) + axis) >> 11) * (1.0 / (1UL << 53));
+        return (cell + ((Permuted(other, side, key) + inside) / side)) / side;
+    }
+
+    /// <summary>A permutation of the whole numbers below a count: a bijection of the next power of two, walked on until it leads below the count.</summary>
+    private static int Permuted(int number, int count, uint key)
+    {
+        int bits = BitOperations.Log2((uint)Math.Max(1, count - 1)) + 1;
+        uint mask = (1u << bits) - 1, state = (uint)number;
+        do
+        {
+            for (int round = 0; round < 4; round++)
+            {
+                uint random = (uint)(Mix(key + (uint)round) >> 32);
+                state = ((state ^ random) * ((random >> 8) | 1)) & mask;
+                state ^= state >> ((bits / 2) + 1);
+            }
+        }
+        while (state >= count);
+        return (int)state;
     }
 
     /// <summary>Position of a sample of the regular pattern along one axis, (0, 1).</summary>

@@ -13,4 +13,10 @@ public enum SamplePattern
     /// Points of Sobol's sequence in base 2, scrambled for each pixel: of 4, 16, 64, ... samples each row, each column and each cell of the grid holds as many.
     /// </summary>
     Sobol,
+
+    /// <summary>
+    /// One random point in each cell of an n x n grid, such that each of n² rows and each of n² columns holds one too, repeatable by the seed (Chiu, Shirley and Wang 1994):
+    /// less noise at edges that are almost upright or level.
+    /// </summary>
+    MultiJittered,
 }

@@ -21,6 +21,7 @@ internal sealed class SamplePlaces(RenderOptions options)
     {
         SamplePattern.Regular => SampleOffsets.Regular(options, sample, axis),
         SamplePattern.Jittered => SampleOffsets.Jittered(options, pixelX, pixelY, sample, axis),
+        SamplePattern.MultiJittered => SampleOffsets.MultiJittered(options, pixelX, pixelY, sample, axis),
         _ => SampleOffsets.Sobol(options, pixelX, pixelY, sample, axis),
     });
 }

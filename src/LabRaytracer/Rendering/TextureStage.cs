@@ -60,6 +60,7 @@ internal static unsafe class TextureStage
             {
                 lookups.Footprints = lookup.Coordinates >= 0 ? buffers.Footprints!.Sets[lookup.Coordinates] : default;
                 lookups.LocalFootprints = buffers.Footprints!.Local;
+                lookups.WorldFootprints = buffers.Footprints!.World;
             }
 
             lookup.Sampler!.Sample<R, F, I>(lookups, buffers.Texels[k], packets);
@@ -126,12 +127,28 @@ internal static unsafe class TextureStage
             MapEach(set.Mapping, positions, coordinates, count);
         }
 
+        if (set.Around is { } around)
+        {
+            Unroll(set.Mapping.ClosesU ? coordinates.U : null, around.U, packets);
+            Unroll(set.Mapping.ClosesV ? coordinates.V : null, around.V, packets);
+        }
+
         if (!set.Transform.IsIdentity)
         {
             for (int packet = 0; packet < packets; packet++)
             {
                 (coordinates.U[packet], coordinates.V[packet]) = set.Transform.Apply(coordinates.U[packet], coordinates.V[packet]);
             }
+        }
+    }
+
+    /// <summary>Takes whole turns off, so that coordinates lie within half a turn of a place: from half a turn below, included, to half a turn above.</summary>
+    private static void Unroll<R>(R* column, double place, int packets)
+        where R : unmanaged, IReal<R>
+    {
+        for (int packet = 0; column != null && packet < packets; packet++)
+        {
+            column[packet] -= R.Floor(column[packet] - R.Of(place - 0.5));
         }
     }
 

@@ -83,7 +83,10 @@ internal static unsafe class ViewStage
         return new SurfacePosition(
             new Point3D(R.Take(at.X, i), R.Take(at.Y, i), R.Take(at.Z, i)),
             new Vector3D(R.Take(at.NormalX, i), R.Take(at.NormalY, i), R.Take(at.NormalZ, i)),
-            new TextureCoordinate(R.Take(at.SurfaceU, i), R.Take(at.SurfaceV, i)));
+            new TextureCoordinate(R.Take(at.SurfaceU, i), R.Take(at.SurfaceV, i)))
+        {
+            WorldPoint = new Point3D(R.Take(at.WorldX, i), R.Take(at.WorldY, i), R.Take(at.WorldZ, i)),
+        };
     }
 
     private static Intensity Fractions(TextureCoordinate mapped) =>

@@ -102,7 +102,7 @@ internal sealed unsafe class CheckerAreaSampler(CheckerTexture checker) : Textur
     private static R Load<R, F, I>(float* column, int packet)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> => R.FromSingle(((F*)column)[packet]);
+        where I : unmanaged, IIndexLane<I> => column == null ? R.Zero : R.FromSingle(((F*)column)[packet]);
 
     /// <summary>Cells and lines by their shares.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -7,8 +7,11 @@ internal sealed unsafe class CustomSampler(ITexture texture, TextureUse use) : T
     {
         bool needsCoordinate = (texture.Needs & TextureNeeds.Coordinate) != 0;
         bool needsPoint = (texture.Needs & TextureNeeds.LocalPoint) != 0;
+
+        // Samples of light from all around are points: there are no columns.
         bool needsFootprint = (texture.Needs & TextureNeeds.Footprint) != 0;
-        bool needsWorld = (texture.Needs & TextureNeeds.WorldPoint) != 0;
+        bool hasFlat = needsFootprint && needsCoordinate && lookups.Footprints.DuDx != null, hasLocal = needsFootprint && needsPoint && lookups.LocalFootprints.XDx != null;
+        bool needsWorld = (texture.Needs & TextureNeeds.WorldPoint) != 0, hasWorld = needsFootprint && needsWorld && lookups.WorldFootprints.XDx != null;
         for (int i = 0; i < lookups.Count; i++)
         {
             TextureCoordinate coordinate = needsCoordinate
@@ -25,10 +28,10 @@ internal sealed unsafe class CustomSampler(ITexture texture, TextureUse use) : T
             Vector3D worldNormal = needsWorld ? new(R.Take(at.WorldNormalX, i), R.Take(at.WorldNormalY, i), R.Take(at.WorldNormalZ, i)) : default;
             colors.Put(i, Read(new TextureLookup(
                 coordinate, point, normal, lookups.WrapU, lookups.WrapV,
-                needsFootprint && needsCoordinate ? lookups.Footprints.Take(i) : default,
-                needsFootprint && needsPoint ? lookups.LocalFootprints.Take(i) : default)
+                hasFlat ? lookups.Footprints.Take(i) : default,
+                hasLocal ? lookups.LocalFootprints.Take(i) : default)
             {
-                WorldPoint = worldPoint, WorldNormal = worldNormal,
+                WorldPoint = worldPoint, WorldNormal = worldNormal, WorldFootprint = hasWorld ? lookups.WorldFootprints.Take(i) : default,
             }));
         }
     }

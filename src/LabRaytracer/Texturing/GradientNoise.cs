@@ -46,7 +46,7 @@ internal static class GradientNoise
 
     /// <summary>The product of a lattice point's gradient with the way from there; four of the twelve gradients have two numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static F Slope<F, I>(I bits, F x, F y, F z)
+    public static F Slope<F, I>(I bits, F x, F y, F z)
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {

@@ -28,7 +28,12 @@ internal static class Lattice
     /// <summary>The number of the cell a few steps on.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static I Next<I>(I cell, int steps)
-        where I : unmanaged, IIndexLane<I> => (cell + I.Of(steps)) & I.Of(Mask);
+        where I : unmanaged, IIndexLane<I> => Next(cell, I.Of(steps));
+
+    /// <summary>The numbers of cells a few steps on, each by its own number of steps.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static I Next<I>(I cell, I steps)
+        where I : unmanaged, IIndexLane<I> => (cell + steps) & I.Of(Mask);
 
     /// <summary>Linear interpolation.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -17,6 +17,9 @@ internal unsafe struct LookupBatch<R>
     /// <summary>What samples cover of the surface; written if the texture needs it.</summary>
     public LocalFootprintColumns LocalFootprints;
 
+    /// <summary>The same in world space.</summary>
+    public LocalFootprintColumns WorldFootprints;
+
     /// <summary>Wrap that the mapping suggests.</summary>
     public TextureWrap WrapU, WrapV;
 
@@ -42,6 +45,7 @@ internal unsafe struct LookupBatch<R>
             },
             Footprints = Footprints.From(packet * R.Width),
             LocalFootprints = LocalFootprints.From(packet * R.Width),
+            WorldFootprints = WorldFootprints.From(packet * R.Width),
             Count = Math.Clamp(Count - (packet * R.Width), 0, packets * R.Width),
         };
     }

@@ -48,7 +48,7 @@ internal abstract unsafe class MipSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>;
 
-    /// <summary>Bilinear colours of the groups of lanes in which some size is not above a limit, or no number.</summary>
+    /// <summary>Bilinear colours of the groups of lanes in which some size is not above a limit, or no number; black of the others, for what lies outside of a border.</summary>
     protected void Enlarge<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, F* sizes, double limit, int packets)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
@@ -69,6 +69,11 @@ internal abstract unsafe class MipSampler<TReader>(
                 part.Coordinates.V += first;
                 ColorColumns<F> to = new() { R = colors.R + first, G = colors.G + first, B = colors.B + first };
                 _bilinear.Run<R, F, I>(part, to, end - first);
+            }
+
+            if (end < packets)
+            {
+                colors.R[end] = colors.G[end] = colors.B[end] = F.Zero;
             }
 
             first = end + 1;

@@ -11,4 +11,10 @@ public enum NoiseKind
 
     /// <summary>Random values at lattice points, Catmull-Rom cubics in between: a continuous slope, clamped to [-1, 1].</summary>
     Cubic,
+
+    /// <summary>
+    /// Simplex noise: random gradients at the corners of tetrahedra, four instead of eight; no grain along the axes, three times continuously differentiable, 0 at
+    /// corners, in [-1, 1].
+    /// </summary>
+    Simplex,
 }

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Runtime.InteropServices;
 
 namespace LabRaytracer;
@@ -72,6 +73,10 @@ internal static unsafe class PictureSamplers
                 filter),
         };
     }
+
+    /// <summary>How the codes of a store become light in colour slots, and who says so.</summary>
+    public static string Rule(TexelStore store, ColorSpace colorSpace) => string.Create(
+        CultureInfo.InvariantCulture, $"{Transfer(store, isData: false, colorSpace)} ({(colorSpace == ColorSpace.Auto ? store.Pixels.TransferSource : "asked for")})");
 
     private static TransferFunction Transfer(TexelStore store, bool isData, ColorSpace colorSpace) => colorSpace switch
     {

@@ -86,6 +86,16 @@ public sealed class Texture : IPreparedTexture
     /// <summary>Where the picture came from, for messages; empty if not from a file.</summary>
     public string Path { get; private init; } = "";
 
+    /// <summary>
+    /// How the numbers of the file become light in colour slots, and by which rule: what <see cref="SamplingOptions.ColorSpace"/> asks for, then what the file says (of PNG: cICP,
+    /// sRGB, then gAMA), then sRGB by assumption; such as "sRGB (gAMA chunk)".
+    /// </summary>
+    /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
+    public string ColorRule => _store is null ? "linear (ColorMap)" : PictureSamplers.Rule(_store.Value, Sampling.ColorSpace);
+
+    /// <summary>The file's samples if they have been decoded, or null.</summary>
+    internal PixelBuffer? Decoded => _store is { IsValueCreated: true } ? _store.Value.Pixels : null;
+
     /// <summary>A texture of a picture file, decoded when it is first needed.</summary>
     /// <param name="path">Path of a PNG, PPM, PGM, PFM, HDR (or, if a codec is there, JPEG or other) file.</param>
     /// <param name="limits">Limits of size; null for the defaults.</param>
@@ -99,6 +109,17 @@ public sealed class Texture : IPreparedTexture
         }
 
         return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits))), null, null) { Path = path };
+    }
+
+    /// <summary>A texture of a picture file, decoded when it is first needed; if that fails, a checker of magenta and black, 64 x 64 texels.</summary>
+    /// <param name="path">Path of the file, which need not exist.</param>
+    /// <param name="failed">Told why the file cannot be read, once, by the thread that first needs it.</param>
+    /// <param name="limits">Limits of size; null for the defaults.</param>
+    public static Texture LoadOrStandIn(string path, Action<Exception> failed, PictureLimits? limits = null)
+    {
+        ArgumentException.ThrowIfNullOrEmpty(path);
+        ArgumentNullException.ThrowIfNull(failed);
+        return new Texture(new Lazy<TexelStore>(() => StandInPicture.Read(path, limits, failed)), null, null) { Path = path };
     }
 
     /// <summary>A texture of a picture. Row 0 of a picture is its top, row 0 of <see cref="ColorMap"/> the bottom: this is the only place that turns them over.</summary>

@@ -24,6 +24,9 @@ public readonly record struct TextureLookup(
     /// <summary>Outward geometric normal there, world space, length 1. Meaningful if the texture needs the world point.</summary>
     public Vector3D WorldNormal { get; init; }
 
+    /// <summary>What the sample covers of the surface, world space. Meaningful if the texture needs footprint and world point.</summary>
+    public SurfaceFootprint WorldFootprint { get; init; }
+
     /// <summary>A lookup by (u, v) alone.</summary>
     /// <param name="u">Horizontal coordinate.</param>
     /// <param name="v">Vertical coordinate, up.</param>

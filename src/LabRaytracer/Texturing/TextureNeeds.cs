@@ -14,7 +14,8 @@ public enum TextureNeeds
     LocalPoint = 2,
 
     /// <summary>
-    /// What a sample covers: of texture space with <see cref="Coordinate"/>, of the surface with <see cref="LocalPoint"/>. Rays then carry their differentials.
+    /// What a sample covers: of texture space with <see cref="Coordinate"/>, of the surface with <see cref="LocalPoint"/> and <see cref="WorldPoint"/>. Rays then carry
+    /// their differentials.
     /// </summary>
     Footprint = 4,
 

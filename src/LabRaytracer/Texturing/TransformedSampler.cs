@@ -87,9 +87,9 @@ internal sealed unsafe class TransformedSampler(TransformedTexture texture, Text
         where R : unmanaged, IReal<R>
         where F : unmanaged, IReal<F>
     {
-        LocalFootprintColumns from = part.LocalFootprints;
+        LocalFootprintColumns from = texture.Frame == TextureFrame.World ? part.WorldFootprints : part.LocalFootprints;
         part.LocalFootprints = default;
-        if (texture.Frame == TextureFrame.World || from.XDx == null)
+        if (from.XDx == null)
         {
             return;
         }

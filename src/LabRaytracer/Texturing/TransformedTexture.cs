@@ -36,14 +36,7 @@ public sealed class TransformedTexture : IPreparedTexture
         get
         {
             TextureNeeds needs = Source.Needs;
-            if (Frame == TextureFrame.Object || (needs & TextureNeeds.LocalPoint) == 0)
-            {
-                return needs;
-            }
-
-            // Footprints on surfaces are known in object space only.
-            bool readsCoordinate = (needs & TextureNeeds.Coordinate) != 0;
-            return (needs & ~(readsCoordinate ? TextureNeeds.LocalPoint : TextureNeeds.LocalPoint | TextureNeeds.Footprint)) | TextureNeeds.WorldPoint;
+            return Frame == TextureFrame.Object || (needs & TextureNeeds.LocalPoint) == 0 ? needs : (needs & ~TextureNeeds.LocalPoint) | TextureNeeds.WorldPoint;
         }
     }
 
@@ -81,13 +74,14 @@ public sealed class TransformedTexture : IPreparedTexture
         {
             bool isWorld = Frame == TextureFrame.World;
             Vector3D normal = isWorld ? lookup.WorldNormal : lookup.LocalNormal;
+            SurfaceFootprint footprint = isWorld ? lookup.WorldFootprint : lookup.LocalFootprint;
             Double1 x = new(normal.X), y = new(normal.Y), z = new(normal.Z);
             Affine.Normal(Transform.WorldFromObjectRows, ref x, ref y, ref z);
             moved = moved with
             {
                 LocalPoint = Transform.ObjectFromWorld(isWorld ? lookup.WorldPoint : lookup.LocalPoint),
                 LocalNormal = new Vector3D(x.Value, y.Value, z.Value),
-                LocalFootprint = isWorld ? default : new SurfaceFootprint(Step(lookup.LocalFootprint.DpDx), Step(lookup.LocalFootprint.DpDy)),
+                LocalFootprint = new SurfaceFootprint(Step(footprint.DpDx), Step(footprint.DpDy)),
             };
         }
 

@@ -100,6 +100,7 @@ public sealed class LensTests
     [InlineData(SamplePattern.Regular)]
     [InlineData(SamplePattern.Jittered)]
     [InlineData(SamplePattern.Sobol)]
+    [InlineData(SamplePattern.MultiJittered)]
     public void PlacesOnTheLens_HaveNothingToDoWithPlacesInThePixel(SamplePattern pattern)
     {
         // Up where exactly one of both lies in the left half: one half of the samples, if they are independent. Samples come in pairs of

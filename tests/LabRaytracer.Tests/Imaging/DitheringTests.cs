@@ -23,13 +23,71 @@ public class DitheringTests
     }
 
     [Fact]
-    public void Save_LightOfACode_KeepsTheCode()
+    public void BlueNoise_SixtyFourSquared_TakesEveryValueOnceAndRepeats()
     {
-        byte[] codes = Codes(Enumerable.Range(0, 256).Select(code => ColorEncoding.LinearFromSrgb8((byte)code)).ToArray(), TransferFunction.Srgb);
+        IEnumerable<float> all = from y in Enumerable.Range(64, 64) from x in Enumerable.Range(128, 64) select BlueNoiseMask.Threshold(x, y);
+        Assert.Equal(Enumerable.Range(0, 4096).Select(k => (k + 0.5f) / 4096), all.Order());
+    }
+
+    /// <summary>
+    /// Pixels below a level, counted in all windows of 8 x 8: white noise varies with a standard deviation of 8 sqrt(p (1 - p)), which is 4 at one half; blue noise, whose
+    /// power lies at high frequencies, by less than half of that.
+    /// </summary>
+    [Theory]
+    [InlineData(0.0625)]
+    [InlineData(0.25)]
+    [InlineData(0.5)]
+    [InlineData(0.75)]
+    [InlineData(0.9375)]
+    public void BlueNoise_CountsInWindows_HardlyVary(double level)
+    {
+        double squares = 0;
+        for (int window = 0; window < 4096; window++)
+        {
+            IEnumerable<bool> isBelow =
+                from y in Enumerable.Range(window / 64, 8) from x in Enumerable.Range(window % 64, 8) select BlueNoiseMask.Threshold(x, y) < level;
+            double difference = isBelow.Count(below => below) - (64 * level);
+            squares += difference * difference;
+        }
+
+        Assert.InRange(Math.Sqrt(squares / 4096), 0, 8 * Math.Sqrt(level * (1 - level)) / 2);
+    }
+
+    /// <summary>No direction stands out: the mean product of deviations of pixels next to each other is alike along rows and columns, and negative.</summary>
+    [Fact]
+    public void BlueNoise_Neighbours_DifferInEveryDirection()
+    {
+        double Product(int dx, int dy) =>
+            12 * Enumerable.Range(0, 4096).Average(i => Deviation(i % 64, i / 64) * Deviation((i % 64) + dx, (i / 64) + dy));
+        double Deviation(int x, int y) => BlueNoiseMask.Threshold(x, y) - 0.5;
+        Assert.InRange(Product(1, 0), -1, -0.1);
+        Assert.InRange(Product(0, 1), -1, -0.1);
+        Assert.InRange(Product(1, 0) - Product(0, 1), -0.05, 0.05);
+    }
+
+    [Theory]
+    [InlineData(Dithering.Ordered)]
+    [InlineData(Dithering.BlueNoise)]
+    public void Save_LightOfACode_KeepsTheCode(Dithering dithering)
+    {
+        byte[] codes = Codes(Enumerable.Range(0, 256).Select(code => ColorEncoding.LinearFromSrgb8((byte)code)).ToArray(), TransferFunction.Srgb, dithering);
         for (int i = 0; i < codes.Length; i++)
         {
             Assert.Equal(i / 64, codes[i]);
         }
+    }
+
+    [Theory]
+    [InlineData(0.0001f)]
+    [InlineData(0.2f)]
+    [InlineData(0.9999f)]
+    public void Save_BlueNoise_KeepsTheMean(float light)
+    {
+        byte[] codes = Codes([light], TransferFunction.Srgb, Dithering.BlueNoise, 64);
+        int low = codes.Min();
+        double step = ColorEncoding.LinearFromSrgb8((byte)Math.Min(255, low + 1)) - ColorEncoding.LinearFromSrgb8((byte)low);
+        double mean = codes.Average(code => (double)ColorEncoding.LinearFromSrgb8(code));
+        Assert.InRange(Math.Abs(mean - light), 0, (step / 8192) + 1e-7);
     }
 
     [Theory]
@@ -58,19 +116,19 @@ public class DitheringTests
         Assert.Equal((32, 32), (half.Count(code => code == 127), half.Count(code => code == 128)));
     }
 
-    /// <summary>Codes of 8 x 8 pixels of each light, side by side in the picture; those of one light after the other.</summary>
-    private static byte[] Codes(float[] lights, TransferFunction transfer)
+    /// <summary>Codes of a square of pixels of each light, side by side in the picture; those of one light after the other.</summary>
+    private static byte[] Codes(float[] lights, TransferFunction transfer, Dithering dithering = Dithering.Ordered, int side = 8)
     {
-        RowEncoder encoder = new(transfer, 8, ToneMapping.Default, Dithering.Ordered);
+        RowEncoder encoder = new(transfer, 8, ToneMapping.Default, dithering);
         List<byte> codes = [];
         foreach (float light in lights)
         {
-            Intensity[] row = [.. Enumerable.Repeat(Intensity.Grey(light), 8)];
-            byte[] target = new byte[24];
-            for (int y = 0; y < 8; y++)
+            Intensity[] row = [.. Enumerable.Repeat(Intensity.Grey(light), side)];
+            byte[] target = new byte[3 * side];
+            for (int y = 0; y < side; y++)
             {
                 encoder.Encode(row, y, target);
-                codes.AddRange(Enumerable.Range(0, 8).Select(x => target[3 * x]));
+                codes.AddRange(Enumerable.Range(0, side).Select(x => target[3 * x]));
             }
         }
 

@@ -74,6 +74,14 @@ public sealed class PngReadTests
         AssertTransfer(TransferFunction.Srgb, "not interpreted", ("iCCP", profile));
         AssertTransfer(TransferFunction.Srgb, "16", ("cICP", [9, 16, 0, 1]));
         AssertTransfer(TransferFunction.Srgb, "assumed", ("gAMA", [0, 0, 0, 0]));
+
+        // White point and primaries of sRGB as PNG writers round them, then those of Adobe RGB (1998), whose green lies at (0.21, 0.71).
+        byte[] own = Words(31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000), other = Words(31270, 32900, 64000, 33000, 21000, 71000, 15000, 6000);
+        Assert.Equal("assumed", AssertTransfer(TransferFunction.Srgb, "assumed", ("cHRM", own)));
+        Assert.Equal("gAMA chunk", AssertTransfer(TransferFunction.Linear, "gAMA", ("gAMA", gammaLinear), ("cHRM", own)));
+        AssertTransfer(TransferFunction.Linear, "primaries are not those of sRGB and not converted", ("gAMA", gammaLinear), ("cHRM", other));
+        AssertTransfer(TransferFunction.Srgb, "primaries are not those of sRGB and not converted", ("cHRM", other));
+        Assert.Equal("sRGB chunk", AssertTransfer(TransferFunction.Srgb, "sRGB chunk", ("cHRM", other), ("sRGB", [0])));
     }
 
     [Fact]
@@ -85,13 +93,16 @@ public sealed class PngReadTests
         Assert.True(linear.Transfer.IsLinear);
     }
 
-    private static void AssertTransfer(TransferFunction expected, string source, params (string Type, byte[] Content)[] chunks)
+    private static byte[] Words(params int[] numbers) => [.. numbers.SelectMany(number => new[] { (byte)(number >> 24), (byte)(number >> 16), (byte)(number >> 8), (byte)number })];
+
+    private static string AssertTransfer(TransferFunction expected, string source, params (string Type, byte[] Content)[] chunks)
     {
         TestPng png = Create(0, 8, false, 2, 2, false);
         png.Chunks.AddRange(chunks);
         PixelBuffer buffer = Read(png.ToBytes());
         Assert.Equal(expected, buffer.Transfer);
         Assert.Contains(source, buffer.TransferSource, StringComparison.Ordinal);
+        return buffer.TransferSource;
     }
 
     internal static TestPng Create(int type, int depth, bool interlaced, int width, int height, bool withTransparency, int idatSize = int.MaxValue)

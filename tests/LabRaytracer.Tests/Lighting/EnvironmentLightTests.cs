@@ -17,6 +17,20 @@ public sealed class EnvironmentLightTests
         Assert.All(picture.Pixels.ToArray(), pixel => Assert.Equal(2 * pixel.R, pixel.G, 1e-5f));
     }
 
+    public static TheoryData<ITexture> Filtered => new(
+        new CheckerTexture { Even = Intensity.White, Odd = Intensity.White, Filter = PatternFilter.Area },
+        new CheckerTexture { Even = Intensity.White, Odd = Intensity.White, Filter = PatternFilter.Area, Space = CheckerSpace.Local },
+        new TransformedTexture(new NoiseTexture { Ramp = ColorRamp.Between(Intensity.White, Intensity.White) }) { Frame = TextureFrame.World },
+        new TriplanarTexture(new CheckerTexture { Even = Intensity.White, Odd = Intensity.White, Filter = PatternFilter.Area }),
+        new OneOfMyOwn(TextureNeeds.Coordinate | TextureNeeds.LocalPoint | TextureNeeds.WorldPoint | TextureNeeds.Footprint),
+        new Texture(new[,] { { Intensity.White, Intensity.White }, { Intensity.White, Intensity.White } }).With(new SamplingOptions { Filter = TextureFilter.Ewa }),
+        new Texture(new[,] { { Intensity.White, Intensity.White }, { Intensity.White, Intensity.White } }).With(new SamplingOptions { Filter = TextureFilter.Area }));
+
+    /// <summary>Samples of the sky are points: textures that read footprints get none, white ones are the even sky.</summary>
+    [Theory, MemberData(nameof(Filtered), DisableDiscoveryEnumeration = true)]
+    public void SkyThatReadsFootprints_Sampled_IsLookedUpAtPoints(ITexture white) =>
+        AssertMean(0.5, Plane(new EnvironmentLight(TextureSlot.Of(white)) { Samples = 16 }, Vector3D.UnitY, 64));
+
     [Theory]
     [InlineData(0, 1, 0)]
     [InlineData(1, 1, 1)]
@@ -208,5 +222,13 @@ public sealed class EnvironmentLightTests
     private sealed class Halves : ITexture
     {
         public Intensity Sample(in TextureLookup lookup) => Intensity.Grey(lookup.Coordinate.V >= 0.5 ? 1 : 0);
+    }
+
+    private sealed class OneOfMyOwn(TextureNeeds needs) : ITexture
+    {
+        public TextureNeeds Needs => needs;
+
+        public Intensity Sample(in TextureLookup lookup) =>
+            lookup.Footprint.IsPoint && lookup.LocalFootprint.IsPoint && lookup.WorldFootprint.IsPoint ? Intensity.White : Intensity.Black;
     }
 }

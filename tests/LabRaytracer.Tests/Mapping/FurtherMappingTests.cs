@@ -98,7 +98,11 @@ public sealed class FurtherMappingTests
     {
         ProjectorMapping world = new(new Point3D(0, 0, 2), Point3D.Origin, fieldOfViewDegrees: 90, frame: TextureFrame.World);
         Assert.Equal(new TextureCoordinate(0.75, 0.5), world.Map(SurfacePosition.At(7, 8, 9) with { WorldPoint = new Point3D(1, 0, 0) }));
-        Assert.Equal(default, world.Gradient(SurfacePosition.At(0, 0, 0)));
+
+        // u = 1/2 + x / (2 (2 - z)), v = 1/2 + y / (2 (2 - z)): at (1, 0, 0) the gradients are (1/4, 0, 1/8) and (0, 1/4, 0).
+        MappingGradient gradient = world.Gradient(SurfacePosition.At(7, 8, 9) with { WorldPoint = new Point3D(1, 0, 0) });
+        Assert.InRange((gradient.U - new Vector3D(0.25, 0, 0.125)).Length, 0, 1e-15);
+        Assert.InRange((gradient.V - new Vector3D(0, 0.25, 0)).Length, 0, 1e-15);
     }
 
     [Fact]

@@ -66,6 +66,69 @@ public sealed class LayerTests
         }
     }
 
+    /// <summary>A picture, red on the left and green on the right, over the seam of u, as the uv view shows it; on the quad, which does not close, the half beyond its edge is lost.</summary>
+    [Theory]
+    [InlineData("sphere", true)]
+    [InlineData("cylinder", true)]
+    [InlineData("torus", true)]
+    [InlineData("cone", true)]
+    [InlineData("quad", false)]
+    public void Render_DecalOverTheSeam_GoesOnAtItsOtherSide(string name, bool isClosed)
+    {
+        Shape shape = name switch
+        {
+            "sphere" => new Sphere(),
+            "cylinder" => new Cylinder(),
+            "torus" => new Torus(),
+            "cone" => new Cone(),
+            _ => new Quad(),
+        };
+        Texture picture = new(new[,] { { new Intensity(1, 0, 0) }, { new Intensity(0, 1, 0) } }) { Sampling = Nearest() };
+        double middle = shape is Torus ? 0.2 : 0.5;
+        Material material = TestScenes.Shining(new TextureSlot
+        {
+            Value = Intensity.White, Layers = [TextureLayer.Decal(picture, new TextureCoordinate(0, middle), new TextureCoordinate(0.1, 0.4))],
+        });
+        Scene scene = new() { Camera = shape is Quad ? TestScenes.AboveQuad() : new OrthographicCamera(new Point3D(0, 3, 9), Point3D.Origin, 3) };
+        scene.Add(shape, material);
+        Picture Show(RenderView view) => Renderer.Render(scene, new RenderOptions { Width = 120, Height = 120, View = view }).Picture;
+        Picture result = Show(RenderView.Color), where = Show(RenderView.Uv), there = Show(RenderView.Object);
+        int red = 0, green = 0;
+        for (int y = 0; y < 120; y++)
+        {
+            for (int x = 0; x < 120; x++)
+            {
+                if (there[x, y] == Intensity.Black)
+                {
+                    continue;
+                }
+
+                (float u, float v) = (where[x, y].R, where[x, y].G);
+                bool isHigh = Math.Abs(v - middle) < 0.2;
+                Intensity expected = isHigh && isClosed && u > 0.95f ? new Intensity(1, 0, 0) : isHigh && u < 0.05f ? new Intensity(0, 1, 0) : Intensity.White;
+                Assert.True(expected == result[x, y], $"({u}, {v}) shows {result[x, y]}");
+                red += expected.G == 0 ? 1 : 0;
+                green += expected.R == 0 ? 1 : 0;
+            }
+        }
+
+        Assert.True(green > 20 && (red > 20) == isClosed, $"{red} red, {green} green");
+    }
+
+    /// <summary>Around the tube of a torus too: the picture lies over its outer equator, v = 0.</summary>
+    [Fact]
+    public void Render_DecalOverTheEquatorOfATorus_IsOnBothSides()
+    {
+        Material material = TestScenes.Shining(new TextureSlot
+        {
+            Value = Intensity.White, Layers = [TextureLayer.Decal(new ConstantTexture(Intensity.Black), new TextureCoordinate(1, 1), new TextureCoordinate(0.1, 0.2))],
+        });
+        Scene scene = new() { Camera = new OrthographicCamera(new Point3D(0, 0, 9), Point3D.Origin, 0.4) };
+        scene.Add(new Torus(), material);
+        Picture picture = TestScenes.Render(scene, 20, 20);
+        Assert.Equal((Intensity.Black, Intensity.Black), (picture[9, 7], picture[10, 12]));
+    }
+
     [Theory]
     [InlineData(0.1, 0.7, 0, 0)]
     [InlineData(0.5, 0.7, 1, 0)]

@@ -94,6 +94,23 @@ def cubic(p, k):
     return max(-1, min(1, total))
 
 
+# Simplex: cells of the lattice squeezed along the diagonal, the four corners of the tetrahedron that the order of the fractions names.
+def simplex(p, k):
+    skew = sum(p) / 3
+    base, f = corners([c + skew for c in p])
+    order = sorted(range(3), key=lambda axis: -f[axis])
+    total, step = 0, [0, 0, 0]
+    for i in range(4):
+        corner = [b + s for b, s in zip(base, step)]
+        unskew = Fraction(sum(corner), 6)
+        d = [a - (c - unskew) for a, c in zip(p, corner)]
+        weight = max(0, Fraction(1, 2) - sum(c * c for c in d))
+        total += weight ** 4 * slope(bits(corner, k), d)
+        if i < 3:
+            step[order[i]] += 1
+    return Fraction(7688, 100) * total
+
+
 def octaves(kind, p, seed, count, lacunarity, gain, absolute):
     total = weights = 0
     for i in range(count):
@@ -157,12 +174,20 @@ def rows(rng):
                 yield [metric, int(flat), "worley", i] + [repr(float(c)) for c in p] + [text(first), text(second)]
 
 
+def simplex_rows(rng):
+    for i, p in enumerate(points(rng, False, 40)):
+        yield ["simplex", 1, "fbm", i] + [repr(float(c)) for c in p] + [text(simplex(p, key(i, 0)))]
+    for sum_, absolute in (("fbm", False), ("turbulence", True)):
+        for i, p in enumerate(points(rng, False, 12)):
+            yield ["simplex", 4, sum_, i] + [repr(float(c)) for c in p] + [text(octaves(simplex, p, i, 4, 2, Fraction(1, 2), absolute))]
+
+
 def main():
     mp.mp.prec = 200
     rng = random.Random(20260707)
     with open("patterns.txt", "w") as out:
         out.write("# lattice noise, octaves, sum, seed, x, y, z, value; or metric, flat, worley, seed, x, y, z, F1, F2\n")
-        for row in rows(rng):
+        for row in itertools.chain(rows(rng), simplex_rows(rng)):
             out.write(" ".join(str(word) for word in row) + "\n")
 
 

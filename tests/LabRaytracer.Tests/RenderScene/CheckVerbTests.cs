@@ -42,6 +42,22 @@ public sealed class CheckVerbTests
         Assert.True(place is null || lines[0].StartsWith(path + ":3:", StringComparison.Ordinal), lines[0]);
     }
 
+    /// <summary>Primaries of Adobe RGB (1998), whose green lies at (0.21, 0.71): said once, and not where the scene chooses by itself.</summary>
+    [Theory]
+    [InlineData("", 2)]
+    [InlineData(""", "colorSpace": "srgb" """, 1)]
+    public void Check_ForeignPrimaries_AreNamed(string choice, int lines)
+    {
+        using TestFolder folder = new();
+        TestPng png = new() { Width = 4, Height = 2, Type = 2, Depth = 8, Sample = (_, _, _) => 99 };
+        png.Chunks.Add(("cHRM", [.. new[] { 31270, 32900, 64000, 33000, 21000, 71000, 15000, 6000 }.SelectMany(number => new[] { (byte)(number >> 24), (byte)(number >> 16), (byte)(number >> 8), (byte)number })]));
+        File.WriteAllBytes(folder["a.png"], png.ToBytes());
+        File.WriteAllText(folder["s.json"], """{ "objects": [{ "shape": "sphere", "material": { "diffuse": { "texture": { "type": "image", "file": "a.png" CHOICE } } } }] }""".Replace("CHOICE", choice, StringComparison.Ordinal));
+        ProgramRun run = ProgramRun.Of("check", folder["s.json"]);
+        Assert.Equal(lines, run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries).Length);
+        Assert.Equal(lines == 2, run.Output.Contains("its colours may be off: assumed; the cHRM chunk's primaries are not those of sRGB and not converted; save it as sRGB, or say colorSpace", StringComparison.Ordinal));
+    }
+
     private static string Scene(string material) => $$"""
         {
           "textures": {

@@ -94,6 +94,10 @@ public sealed class RenderVerbTests
     [InlineData("--precision", "doubble", "did you mean 'double'")]
     [InlineData("--filter", "blurred", "nearest, bilinear")]
     [InlineData("--view", "norml", "did you mean 'normal'")]
+    [InlineData("--tone-mapping", "reinhart", "did you mean 'reinhard'")]
+    [InlineData("--dither", "blue", "none, ordered, bluenoise")]
+    [InlineData("--exposure", "65", "from -64 to 64")]
+    [InlineData("--exposure", "dark", "from -64 to 64")]
     [InlineData("--crop", "0,0,33,1", "inside")]
     [InlineData("--crop", "0,0", "X,Y,W,H")]
     [InlineData("--seed", "1.5", "whole number")]
@@ -107,6 +111,72 @@ public sealed class RenderVerbTests
         Assert.Contains(allowed, run.Error, StringComparison.Ordinal);
         Assert.Equal(["small.json"], folder.Files);
         Assert.Single(run.Error.TrimEnd('\n').Split('\n'));
+    }
+
+    /// <summary>Exposure, tone mapping and dither of the command line take the place of the scene's, and the file says so.</summary>
+    [Fact]
+    public void Render_OutputOptions_TakeThePlaceOfTheScenes()
+    {
+        using TestFolder folder = new();
+        File.WriteAllText(folder["s.json"], """{ "render": { "width": 16, "height": 16 }, "output": { "exposureStops": 3, "toneMapping": "aces" }, "background": 3 }""");
+        byte Code(params string[] options)
+        {
+            ProgramRun run = ProgramRun.Of(["render", folder["s.json"], "-o", folder["a.png"], "--quiet", .. options]);
+            Assert.Equal(new ProgramRun(ExitCode.Done, "", ""), run);
+            return PictureCodecs.Default.Read(folder["a.png"]).Rgba8![0];
+        }
+
+        // 3 x 2^-2 = 0.75 clamped; Reinhard: 0.75 / 1.75 = 0.428571, sRGB code 175 (0.685), clamped: sRGB code 225 (0.8808).
+        Assert.Equal(225, Code("--exposure", "-2", "--tone-mapping", "clamp"));
+        Assert.Equal(175, Code("--exposure", "-2", "--tone-mapping", "Reinhard"));
+        Code("--exposure", "-2.5", "--tone-mapping", "clamp", "--dither", "blueNoise");
+        byte[] dithered = PictureCodecs.Default.Read(folder["a.png"]).Rgba8!;
+        Assert.Equal(2, dithered.Where((_, i) => i % 4 == 0).Distinct().Count());
+        Assert.Contains("--exposure -2.5 --dither bluenoise", Encoding.Latin1.GetString(File.ReadAllBytes(folder["a.png"])), StringComparison.Ordinal);
+    }
+
+    /// <summary>Missing and damaged pictures are errors with their place; with --allow-missing a checker of magenta and black stands in, and a warning names the place.</summary>
+    [Fact]
+    public void Render_MissingAndDamagedPictures_AreErrorsOrCheckersWithAWarning()
+    {
+        using TestFolder folder = new();
+        File.WriteAllText(folder["bad.png"], "no picture");
+        string scene = folder["s.json"];
+        foreach ((string file, string why) in new[] { ("gone.png", "'gone.png' does not exist"), ("bad.png", "the format is not known") })
+        {
+            File.WriteAllText(scene, """{ "background": { "texture": { "type": "image", "file": "NAME", "filter": "nearest" } } }""".Replace("NAME", file, StringComparison.Ordinal));
+            ProgramRun refused = ProgramRun.Of("render", scene, "-o", folder["a.png"], "--quiet", "--size", "64x64");
+            Assert.Equal(ExitCode.BadInput, refused.Code);
+            Assert.Contains(why, refused.Error, StringComparison.Ordinal);
+            Assert.Single(refused.Error.TrimEnd('\n').Split('\n'));
+            ProgramRun allowed = ProgramRun.Of("render", scene, "-o", folder["a.png"], "--quiet", "--size", "64x64", "--allow-missing");
+            Assert.Equal((ExitCode.Done, ""), (allowed.Code, allowed.Output));
+            Assert.StartsWith("warning: ", allowed.Error, StringComparison.Ordinal);
+            Assert.Contains("s.json:1:57: ", allowed.Error, StringComparison.Ordinal);
+            Assert.Contains(why, allowed.Error, StringComparison.Ordinal);
+            Assert.EndsWith("; a checker stands in\n", allowed.Error, StringComparison.Ordinal);
+            Assert.Single(allowed.Error.TrimEnd('\n').Split('\n'));
+            HashSet<Intensity> colors = [.. Picture.Load(folder["a.png"]).Pixels];
+            Assert.Equal([Intensity.Black, new Intensity(1, 0, 1)], colors.OrderBy(color => color.R));
+        }
+    }
+
+    [Fact]
+    public void Render_Stats_NamesPicturesAndTheRuleOfTheirColors()
+    {
+        using TestFolder folder = new();
+        new Picture(4, 2).Save(folder["a.png"]);
+        File.WriteAllText(folder["s.json"], """
+            {
+              "textures": { "a": { "type": "image", "file": "a.png" }, "b": { "type": "image", "file": "a.png", "colorSpace": "linear" }, "c": { "type": "image", "file": "a.png", "colorSpace": "srgb" } },
+              "objects": [ { "shape": "sphere", "material": { "diffuse": "a", "emission": "b" } } ]
+            }
+            """);
+        ProgramRun run = ProgramRun.Of("render", folder["s.json"], "-o", folder["o.png"], "--size", "8x8", "--stats", "--stats-json", folder["o.json"]);
+        Assert.Contains("  picture a.png: 4 x 2, 8 bits, colours sRGB (sRGB chunk)\n", run.Output, StringComparison.Ordinal);
+        Assert.Contains("  picture a.png: 4 x 2, 8 bits, colours linear (asked for)\n", run.Output, StringComparison.Ordinal);
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(folder["o.json"]));
+        Assert.Equal("sRGB (sRGB chunk)", json.RootElement.GetProperty("pictures")[0].GetProperty("colors").GetString());
     }
 
     [Theory]

@@ -25,6 +25,18 @@ public sealed class FootprintTests
     [MemberData(nameof(Shapes))]
     public void Footprint_StudentMappingOnShape_IsTheDifferenceOfPixels(string name) => Check(Single(name, s_skew, new Swirl()));
 
+    /// <summary>A projector that stands in the world, whose gradient is one of the world point.</summary>
+    [Theory]
+    [MemberData(nameof(Shapes))]
+    public void Footprint_ProjectorInTheWorld_IsTheDifferenceOfPixels(string name) =>
+        Check(Single(name, s_skew, new ProjectorMapping(new Point3D(3, 4, 9), new Point3D(0, 0.2, 0), aspect: 1.5, frame: TextureFrame.World)));
+
+    [Theory]
+    [InlineData("sphere")]
+    [InlineData("mesh")]
+    [InlineData("student")]
+    public void Footprint_StudentMappingInTheWorld_IsTheDifferenceOfPixels(string name) => Check(Single(name, s_skew, new WorldSwirl()));
+
     [Theory]
     [InlineData("sphere")]
     [InlineData("cylinder")]
@@ -70,13 +82,32 @@ public sealed class FootprintTests
         Single("quad", Transform.Identity, null), new UvTransform(new TextureCoordinate(3, 4), 30, new TextureCoordinate(5, -2), default));
 
     [Fact]
-    public void LocalFootprint_TransformedSphere_IsTheDifferenceOfPixels()
+    public void LocalFootprint_TransformedSphere_IsTheDifferenceOfPixels() =>
+        CheckSteps(TextureNeeds.LocalPoint, lookup => lookup.LocalPoint, lookup => lookup.LocalFootprint);
+
+    [Fact]
+    public void WorldFootprint_TransformedSphere_IsTheDifferenceOfPixels() =>
+        CheckSteps(TextureNeeds.WorldPoint, lookup => lookup.WorldPoint, lookup => lookup.WorldFootprint);
+
+    /// <summary>A sample covers a quarter of the world's unit, the noise has a thousand cells there: only the mean is left, however the object is scaled.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(1000)]
+    public void NoiseFixedInTheWorld_FarBelowASample_IsItsMean(double scale)
+    {
+        var noise = new TransformedTexture(new NoiseTexture { Frequency = 1000 }) { Frame = TextureFrame.World };
+        var scene = new Scene { Camera = TestScenes.AboveQuad() };
+        scene.Add(new Quad(), TestScenes.Shining(TextureSlot.Of(noise)), Transform.Scaling(new Vector3D(scale, 1, scale)));
+        Assert.All(TestScenes.Render(scene, 8, 8).Pixels.ToArray(), pixel => Assert.Equal(Intensity.Grey(0.5f), pixel));
+    }
+
+    private static void CheckSteps(TextureNeeds needs, Func<TextureLookup, Point3D> point, Func<TextureLookup, SurfaceFootprint> step)
     {
         Scene scene = Single("sphere", s_skew, null);
         Vector3D At(Picture[] pictures, int x, int y) => new(pictures[0][x, y].R, pictures[0][x, y].G, pictures[0][x, y].B);
-        Picture[] points = [Render(scene, new Probe(lookup => Color(lookup.LocalPoint.ToVector()), TextureNeeds.LocalPoint), null)];
-        Picture[] right = [Render(scene, new Probe(lookup => Color(lookup.LocalFootprint.DpDx), TextureNeeds.LocalPoint | TextureNeeds.Footprint), null)];
-        Picture[] down = [Render(scene, new Probe(lookup => Color(lookup.LocalFootprint.DpDy), TextureNeeds.LocalPoint | TextureNeeds.Footprint), null)];
+        Picture[] points = [Render(scene, new Probe(lookup => Color(point(lookup).ToVector()), needs), null)];
+        Picture[] right = [Render(scene, new Probe(lookup => Color(step(lookup).DpDx), needs | TextureNeeds.Footprint), null)];
+        Picture[] down = [Render(scene, new Probe(lookup => Color(step(lookup).DpDy), needs | TextureNeeds.Footprint), null)];
         Vector3D across = (At(points, Window - 1, 3) - At(points, 0, 3)) / (Window - 1), below = (At(points, 3, Window - 1) - At(points, 3, 0)) / (Window - 1);
         Assert.InRange((At(right, Window / 2, 3) - across).Length, 0, Tolerance * across.Length);
         Assert.InRange((At(down, 3, Window / 2) - below).Length, 0, Tolerance * below.Length);
@@ -187,6 +218,18 @@ public sealed class FootprintTests
         public TextureCoordinate Map(in SurfacePosition position)
         {
             (double x, double y, double z) = position.LocalPoint;
+            return new TextureCoordinate((0.3 * x) + (0.1 * y * z), (0.2 * y) - (0.25 * z * x));
+        }
+    }
+
+    /// <summary>The same in world space.</summary>
+    private sealed class WorldSwirl : IMapping
+    {
+        public TextureFrame Frame => TextureFrame.World;
+
+        public TextureCoordinate Map(in SurfacePosition position)
+        {
+            (double x, double y, double z) = position.WorldPoint;
             return new TextureCoordinate((0.3 * x) + (0.1 * y * z), (0.2 * y) - (0.25 * z * x));
         }
     }

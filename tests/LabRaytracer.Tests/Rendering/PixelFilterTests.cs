@@ -60,6 +60,7 @@ public sealed class PixelFilterTests
     [InlineData(PixelFilter.Mitchell, SamplePattern.Regular)]
     [InlineData(PixelFilter.Mitchell, SamplePattern.Jittered)]
     [InlineData(PixelFilter.Mitchell, SamplePattern.Sobol)]
+    [InlineData(PixelFilter.Mitchell, SamplePattern.MultiJittered)]
     public void Render_ConstantPicture_StaysConstant(PixelFilter filter, SamplePattern pattern)
     {
         foreach (int samples in new[] { 1, 4, 9, 16 })

@@ -49,6 +49,40 @@ public sealed class SampleOffsetsTests
         Assert.InRange(product / Count, -5 / (12 * Math.Sqrt(Count)), 5 / (12 * Math.Sqrt(Count)));
     }
 
+    /// <summary>One in each cell of n x n, one in each of n² columns, one in each of n² rows; pixels differ.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    [InlineData(7)]
+    [InlineData(16)]
+    public void MultiJittered_EveryCellColumnAndRow_HoldsOne(int side)
+    {
+        RenderOptions options = new() { Samples = side * side, Seed = 5 };
+        int count = side * side;
+        HashSet<string> orders = [];
+        for (int pixel = 0; pixel < 40; pixel++)
+        {
+            double[] x = [.. Enumerable.Range(0, count).Select(sample => SampleOffsets.MultiJittered(options, pixel, 3, sample, 0))];
+            double[] y = [.. Enumerable.Range(0, count).Select(sample => SampleOffsets.MultiJittered(options, pixel, 3, sample, 1))];
+            Assert.Equal(Enumerable.Range(0, count), x.Select(at => (int)(count * at)).Order());
+            Assert.Equal(Enumerable.Range(0, count), y.Select(at => (int)(count * at)).Order());
+            Assert.Equal(Enumerable.Range(0, count), x.Zip(y, (atX, atY) => (side * (int)(side * atY)) + (int)(side * atX)).Order());
+            orders.Add(string.Join(' ', x.Select(at => (int)(count * at))));
+        }
+
+        Assert.InRange(orders.Count, side == 1 ? 1 : side == 2 ? 3 : 30, 40);
+    }
+
+    [Fact]
+    public void MultiJittered_DependsOnSeedPixelAndSampleOnly()
+    {
+        RenderOptions options = new() { Samples = 4, Seed = 5 }, otherwise = new() { Samples = 4, Seed = 5, Width = 77, Threads = 7, Precision = Precision.Single };
+        Assert.Equal(SampleOffsets.MultiJittered(options, 10, 20, 1, 0), SampleOffsets.MultiJittered(otherwise, 10, 20, 1, 0));
+        Assert.NotEqual(SampleOffsets.MultiJittered(options, 10, 20, 1, 0), SampleOffsets.MultiJittered(new RenderOptions { Samples = 4, Seed = 6 }, 10, 20, 1, 0));
+    }
+
     [Theory]
     [InlineData(1, 0, 0.5, 0.5)]
     [InlineData(4, 1, 0.75, 0.25)]

@@ -61,6 +61,30 @@ public sealed class ViewTests
         Assert.Equal(4, both.Pixels.ToArray().Distinct().Count());
     }
 
+    /// <summary>The quad fills the picture: texels over pixels, times the samples that share them.</summary>
+    [Theory]
+    [InlineData(40, 40, 1, 1, 1, 1)]
+    [InlineData(80, 20, 1, 1, 1, 1)]
+    [InlineData(80, 80, 1, 1, 1, 0)]
+    [InlineData(80, 80, 4, 1, 1, 1)]
+    [InlineData(160, 160, 1, 1, 0, 0)]
+    [InlineData(80, 160, 1, 1, 0.5f, 0)]
+    [InlineData(20, 20, 1, 0, 1, 1)]
+    [InlineData(10, 10, 1, 0, 0, 1)]
+    [InlineData(1, 1, 1, 0, 0, 0.25f)]
+    [InlineData(640, 640, 1, 0.25f, 0, 0)]
+    public void Density_QuadWithPicture_IsTexelsASample(int width, int height, int samples, float red, float green, float blue)
+    {
+        Scene scene = TestScenes.QuadFromAbove(TestScenes.Shining(new Texture(width, height)));
+        Picture density = Renderer.Render(scene, new RenderOptions { Width = 40, Height = 40, Samples = samples, View = RenderView.Density }).Picture;
+        Assert.All(density.Pixels.ToArray(), pixel =>
+        {
+            Assert.Equal(red, pixel.R, 1e-5);
+            Assert.Equal(green, pixel.G, 1e-5);
+            Assert.Equal(blue, pixel.B, 1e-5);
+        });
+    }
+
     [Theory]
     [InlineData(0f, 1, 1)]
     [InlineData(0f, 2, 2)]
@@ -128,6 +152,7 @@ public sealed class ViewTests
     [InlineData(RenderView.Texel)]
     [InlineData(RenderView.Cost)]
     [InlineData(RenderView.Seam)]
+    [InlineData(RenderView.Density)]
     public void View_AnyVectorWidthAndThreads_IsTheSamePicture(RenderView view)
     {
         Scene scene = TestScenes.Everything();

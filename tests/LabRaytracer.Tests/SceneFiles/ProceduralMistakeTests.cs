@@ -6,7 +6,7 @@ public sealed class ProceduralMistakeTests
     [Theory]
     [InlineData("""{"textures": {"a": {"type": "nois"}}}""", "1:29: textures.a.type: unknown type 'nois', did you mean 'noise'; allowed: image, constant, checker, grid, noise, worley, marble, wood, brick, gradient, multiply, mix, select, layers, ramp, transformed, triplanar")]
     [InlineData("""{"textures": {"a": {"type": "noise", "octaves": 17}}}""", "1:49: textures.a.octaves: the number 17 does not fit; allowed: a whole number from 1 to 16")]
-    [InlineData("""{"textures": {"a": {"type": "noise", "noise": "perlin"}}}""", "1:47: textures.a.noise: unknown word 'perlin'; allowed: gradient, value, cubic")]
+    [InlineData("""{"textures": {"a": {"type": "noise", "noise": "perlin"}}}""", "1:47: textures.a.noise: unknown word 'perlin'; allowed: gradient, value, cubic, simplex")]
     [InlineData("""{"textures": {"a": {"type": "noise", "ramp": []}}}""", "1:46: textures.a.ramp: a list of 0; allowed: one stop or more")]
     [InlineData("""{"textures": {"a": {"type": "noise", "ramp": [{"color": 1}]}}}""", "1:47: textures.a.ramp[0]: the key 'at' is missing; allowed: a finite number")]
     [InlineData("""{"textures": {"a": {"type": "worley", "metric": "euclid"}}}""", "1:49: textures.a.metric: unknown word 'euclid'; allowed: euclidean, manhattan, chebyshev")]

@@ -19,6 +19,30 @@ public sealed class FilterTests
         { Ewa, TextureWrap.Border, TextureWrap.Clamp },
     };
 
+    /// <summary>Beyond a border there is nothing, also where a sample covers many texels: what was looked up there before, for another material, does not shine through.</summary>
+    [Theory]
+    [InlineData(TextureFilter.Trilinear)]
+    [InlineData(TextureFilter.Ewa)]
+    [InlineData(TextureFilter.Area)]
+    public void Border_WideFootprintsOutside_AreBlack(TextureFilter filter)
+    {
+        var colors = new Intensity[64, 64];
+        System.Runtime.InteropServices.MemoryMarshal.CreateSpan(ref colors[0, 0], colors.Length).Fill(Intensity.White);
+        TextureSlot Slot(TextureWrap wrap, UvTransform transform) => new()
+        {
+            Value = Intensity.White, Texture = new Texture(colors).With(new SamplingOptions { Filter = filter, WrapU = wrap, WrapV = wrap }), Transform = transform,
+        };
+        var scene = new Scene { Camera = TestScenes.AboveQuad() };
+        scene.Add(new Quad(), TestScenes.Shining(Slot(TextureWrap.Repeat, UvTransform.Identity)), Transform.Scaling(new Vector3D(1, 1, 0.5)).Then(Transform.Translation(new Vector3D(0, 0, -0.5))));
+        UvTransform away = new(new TextureCoordinate(3, 0), 0, new TextureCoordinate(1, 1), default);
+        scene.Add(new Quad(), TestScenes.Shining(Slot(TextureWrap.Border, away)), Transform.Scaling(new Vector3D(1, 1, 0.5)).Then(Transform.Translation(new Vector3D(0, 0, 0.5))));
+        Picture picture = TestScenes.Render(scene, 20, 20);
+        for (int x = 0; x < 20; x++)
+        {
+            Assert.Equal(Intensity.Grey(x < 10 ? 1 : 0), picture[x, 7]);
+        }
+    }
+
     [Theory]
     [MemberData(nameof(Ways))]
     public void Sample_EveryWidth_SameBitsAsSingleCall(TextureFilter filter, TextureWrap wrapU, TextureWrap wrapV)

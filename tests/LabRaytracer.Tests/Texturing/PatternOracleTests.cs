@@ -15,6 +15,7 @@ public sealed class PatternOracleTests
     [InlineData(NoiseKind.Gradient)]
     [InlineData(NoiseKind.Value)]
     [InlineData(NoiseKind.Cubic)]
+    [InlineData(NoiseKind.Simplex)]
     public void Noise_OracleRows_WithinBound(NoiseKind kind)
     {
         string[][] rows = [.. s_rows.Where(row => row[0].Equals(kind.ToString(), StringComparison.OrdinalIgnoreCase))];

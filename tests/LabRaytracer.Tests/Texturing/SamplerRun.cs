@@ -15,6 +15,7 @@ internal static unsafe class SamplerRun
         [.. from u in Coordinates from v in Coordinates select new TextureLookup(new TextureCoordinate(u, v), new Point3D(u, v, u - v), new Vector3D(0.6, v > 0 ? 0.8 : -0.8, 0), wrapU, wrapV)
         {
             WorldPoint = new Point3D(v, u, 1), WorldNormal = new Vector3D(0, 0.6, 0.8), Footprint = Steps(u, v), LocalFootprint = new SurfaceFootprint(new Vector3D(Steps(u, v).DuDx, 0.1, 0), new Vector3D(0, Steps(u, v).DvDx, 0.01)),
+            WorldFootprint = new SurfaceFootprint(new Vector3D(0, Steps(v, u).DuDx, 0), new Vector3D(0.125, 0, Steps(v, u).DvDx)),
         }];
 
     /// <summary>Footprints from none over fractions of a cell to several, exact as floats.</summary>
@@ -51,13 +52,22 @@ internal static unsafe class SamplerRun
         using LaneMemory memory = new();
         FootprintColumns footprints = new(memory, lookups.Length + 16);
         int rounded = (lookups.Length + 15) / 16 * 16;
-        LocalFootprintColumns localFootprints = new((float*)memory.Column<Float16>(6 * rounded, Float16.Width), rounded);
+        LocalFootprintColumns Steps(Func<TextureLookup, SurfaceFootprint> step)
+        {
+            LocalFootprintColumns columns = new((float*)memory.Column<Float16>(6 * rounded, Float16.Width), rounded);
+            for (int i = 0; i < lookups.Length; i++)
+            {
+                (Vector3D right, Vector3D down) = (step(lookups[i]).DpDx, step(lookups[i]).DpDy);
+                (columns.XDx[i], columns.YDx[i], columns.ZDx[i]) = ((float)right.X, (float)right.Y, (float)right.Z);
+                (columns.XDy[i], columns.YDy[i], columns.ZDy[i]) = ((float)down.X, (float)down.Y, (float)down.Z);
+            }
+
+            return columns;
+        }
+
         for (int i = 0; i < lookups.Length; i++)
         {
             footprints.Put(i, lookups[i].Footprint);
-            Vector3D right = lookups[i].LocalFootprint.DpDx, down = lookups[i].LocalFootprint.DpDy;
-            (localFootprints.XDx[i], localFootprints.YDx[i], localFootprints.ZDx[i]) = ((float)right.X, (float)right.Y, (float)right.Z);
-            (localFootprints.XDy[i], localFootprints.YDy[i], localFootprints.ZDy[i]) = ((float)down.X, (float)down.Y, (float)down.Z);
         }
 
         using LaneColumn<F> red = new(lookups.Length), green = new(lookups.Length), blue = new(lookups.Length);
@@ -66,7 +76,8 @@ internal static unsafe class SamplerRun
             Coordinates = new CoordinateBatch<R> { U = u.Lanes, V = v.Lanes },
             Positions = new PositionBatch<R> { X = x.Lanes, Y = y.Lanes, Z = z.Lanes, NormalX = nx.Lanes, NormalY = ny.Lanes, NormalZ = nz.Lanes, WorldX = wx.Lanes, WorldY = wy.Lanes, WorldZ = wz.Lanes, WorldNormalX = wnx.Lanes, WorldNormalY = wny.Lanes, WorldNormalZ = wnz.Lanes },
             Footprints = footprints,
-            LocalFootprints = localFootprints,
+            LocalFootprints = Steps(lookup => lookup.LocalFootprint),
+            WorldFootprints = Steps(lookup => lookup.WorldFootprint),
             WrapU = lookups[0].WrapU,
             WrapV = lookups[0].WrapV,
             Count = lookups.Length,

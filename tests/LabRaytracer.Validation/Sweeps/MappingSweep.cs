@@ -22,16 +22,18 @@ internal sealed unsafe class MappingSweep(StressOptions options)
             .Concat(Both("disk", new DiskMapping(), (x, _, z) => (Truth.Atan2Turns(x, z), Truth.Hypotenuse(x, z)), QuickTruth.TryDisk, 100, 1, 1))
             .Concat(Both("rectangular", new RectangularMapping(), (x, _, z) => ((z + 1) * 0.5, (x + 1) * 0.5), QuickTruth.TryRectangle, 100, 0.5, 0.5))
             .Concat(Both("box", new BoxMapping(), (x, y, z) => (Half(Right(x, y, z)), Half(Up(x, y, z))), QuickTruth.TryBox, 100, 0.5, 0.5))
-            .Concat(Both("hemispherical", new HemisphericalMapping(), Hemisphere, QuickTruth.TryHemisphere, 100, 1, 2));
+            .Concat(Both("hemispherical", new HemisphericalMapping(), Hemisphere, QuickTruth.TryHemisphere, 100, 1, 2))
+            .Concat(Both("equal-area", new EqualAreaMapping(), EqualArea, null, 10, 1, 8))
+            .Concat(Both("cone", new ConeMapping(), Cone, null, 10, 1, 0.5));
 
-    private IEnumerable<StressRow> Both(string name, IWideMapping mapping, Exact exact, Quick quick, int parts, double boundU, double boundV)
+    private IEnumerable<StressRow> Both(string name, IWideMapping mapping, Exact exact, Quick? quick, int parts, double boundU, double boundV)
     {
         Worst oracle = new($"{name} mapping: quick form of the oracle against 256 bits", 1, "units of 2^-90");
         List<StressRow> rows = [.. Run<Double8>(name, mapping, exact, quick, parts, boundU, boundV, oracle), .. Run<Float16>(name, mapping, exact, quick, parts, boundU, boundV, oracle)];
-        return rows.Append(oracle.ToRow());
+        return quick is null ? rows : rows.Append(oracle.ToRow());
     }
 
-    private List<StressRow> Run<R>(string name, IWideMapping mapping, Exact exact, Quick quick, int parts, double boundU, double boundV, Worst oracle)
+    private List<StressRow> Run<R>(string name, IWideMapping mapping, Exact exact, Quick? quick, int parts, double boundU, double boundV, Worst oracle)
         where R : unmanaged, IReal<R>
     {
         string format = R.IsSingle ? "float" : "double";
@@ -52,7 +54,7 @@ internal sealed unsafe class MappingSweep(StressOptions options)
             {
                 own[4].Count(Same(found[i], single[i]), $"{points[i]}: {found[i]} in a batch, {single[i]} alone");
                 Note<R>(mapping, points[i], found[i], exact, quick, own);
-                if (i % Checked == 0)
+                if (i % Checked == 0 && quick is not null)
                 {
                     Compare(points[i], exact, quick, oracle);
                 }
@@ -66,14 +68,16 @@ internal sealed unsafe class MappingSweep(StressOptions options)
         return [.. worst.Select(line => line.ToRow())];
     }
 
-    /// <summary>Judges one point: by the quick oracle where it is certain, else by the slow one.</summary>
-    private static void Note<R>(IWideMapping mapping, Point3D p, TextureCoordinate c, Exact exact, Quick quick, Worst[] worst)
+    /// <summary>Judges one point: by the quick oracle where it is there and certain, else by the slow one.</summary>
+    private static void Note<R>(IWideMapping mapping, Point3D p, TextureCoordinate c, Exact exact, Quick? quick, Worst[] worst)
         where R : unmanaged, IReal<R>
     {
-        bool isAngle = mapping is not (RectangularMapping or BoxMapping), isBounded = mapping is SphericalMapping or HemisphericalMapping, isOrdinary = IsOrdinary<R>(p.X) && IsOrdinary<R>(p.Y) && IsOrdinary<R>(p.Z);
+        bool isAngle = mapping is not (RectangularMapping or BoxMapping) && !(mapping is ConeMapping && Normal(p).Y < 0);
+        bool isBounded = mapping is SphericalMapping or HemisphericalMapping or EqualAreaMapping, isOrdinary = IsOrdinary<R>(p.X) && IsOrdinary<R>(p.Y) && IsOrdinary<R>(p.Z);
         Worst u = isOrdinary && IsOrdinary<R>(c.U) ? worst[0] : worst[2], v = isOrdinary && IsOrdinary<R>(c.V) ? worst[1] : worst[2];
         double errorU = 0, errorV = 0, awayU = 0;
-        bool isSure = quick(p.X, p.Y, p.Z, out Pair quickU, out Pair quickV) && (!isAngle || quickU.High < 0.9999);
+        (Pair quickU, Pair quickV) = (default, default);
+        bool isSure = quick is not null && quick(p.X, p.Y, p.Z, out quickU, out quickV) && (!isAngle || quickU.High < 0.9999);
         if (isSure)
         {
             (errorU, errorV, awayU) = (quickU.Ulps(c.U, R.IsSingle), quickV.Ulps(c.V, R.IsSingle), Math.Abs(c.U - quickU.High));
@@ -112,7 +116,8 @@ internal sealed unsafe class MappingSweep(StressOptions options)
     private static bool IsOrdinary<R>(double a)
         where R : unmanaged, IReal<R> => a == 0 || Math.Abs(a) >= (R.IsSingle ? 1e-30 : 1e-300);
 
-    private static TextureCoordinate[] Map<R>(IWideMapping mapping, Point3D[] points)
+    /// <summary>Texture coordinates of points by the path for many.</summary>
+    public static TextureCoordinate[] Map<R>(IWideMapping mapping, Point3D[] points)
         where R : unmanaged, IReal<R>
     {
         using Column<R> x = new(points.Length), y = new(points.Length), z = new(points.Length), u = new(points.Length), v = new(points.Length);
@@ -134,6 +139,16 @@ internal sealed unsafe class MappingSweep(StressOptions options)
 
     private static (Real U, Real V) Hemisphere(Real x, Real y, Real z) => (Truth.Atan2Turns(x, z), y.Sign > 0 ? 4 * Truth.Atan2Turns(y, Truth.Hypotenuse(x, z)) : 0);
 
+    private static (Real U, Real V) EqualArea(Real x, Real y, Real z)
+    {
+        // Below the equator (1 + y / r) / 2 would lose all digits: it is rho² / (2 r (r - y)).
+        Real flat = (x * x) + (z * z), length = Real.Sqrt(Real.Short(flat + (y * y), 400));
+        return (Truth.Atan2Turns(x, z), length.Sign == 0 ? 0.5 : y.Sign < 0 ? Real.Short(flat / (2 * length * (length - y))) : Half(Real.Short(y / length)));
+    }
+
+    /// <summary>The base is where the direction that stands for the normal points down.</summary>
+    private static (Real U, Real V) Cone(Real x, Real y, Real z) => x.Sign < 0 ? (Half(x), Half(z)) : (Truth.Atan2Turns(x, z), Half(y));
+
     private static Real Half(Real a) => (a + 1) * 0.5;
 
     /// <summary>What runs to the right on a point's face of the box, whose normal is (z, x, y): x before y before z among equals.</summary>
@@ -147,7 +162,8 @@ internal sealed unsafe class MappingSweep(StressOptions options)
     /// <summary>A direction that says which face of the box a point belongs to; any will do.</summary>
     private static Vector3D Normal(Point3D p) => new(p.Z, p.X, p.Y);
 
-    private static bool Same(TextureCoordinate a, TextureCoordinate b) =>
+    /// <summary>Tells whether coordinates have the same bits.</summary>
+    public static bool Same(TextureCoordinate a, TextureCoordinate b) =>
         BitConverter.DoubleToInt64Bits(a.U) == BitConverter.DoubleToInt64Bits(b.U) && BitConverter.DoubleToInt64Bits(a.V) == BitConverter.DoubleToInt64Bits(b.V);
 
     private static double Below<R>()

@@ -12,9 +12,10 @@ internal sealed class PngColorInfo
     private bool hasSrgb;
     private string? profileName;
     private uint gamma;
+    private bool hasOtherPrimaries;
 
     /// <summary>Whether the chunk is one of those kept here.</summary>
-    public static bool Keeps(string type) => type is "cICP" or "sRGB" or "iCCP" or "gAMA";
+    public static bool Keeps(string type) => type is "cICP" or "sRGB" or "iCCP" or "gAMA" or "cHRM";
 
     /// <summary>Takes the content of a chunk; false if its length is wrong.</summary>
     public bool Add(string type, ReadOnlySpan<byte> content)
@@ -29,6 +30,9 @@ internal sealed class PngColorInfo
                 return true;
             case "gAMA" when content.Length == 4:
                 gamma = BinaryPrimitives.ReadUInt32BigEndian(content);
+                return true;
+            case "cHRM" when content.Length == 32:
+                AddPrimaries(content);
                 return true;
             case "iCCP":
                 int end = content.IndexOf((byte)0);
@@ -52,9 +56,10 @@ internal sealed class PngColorInfo
             return (TransferFunction.Srgb, "sRGB chunk");
         }
 
+        string primaries = hasOtherPrimaries ? "; the cHRM chunk's primaries are not those of sRGB and not converted" : "";
         if (FromGamma() is { } power)
         {
-            return (power, "gAMA chunk");
+            return (power, $"gAMA chunk{primaries}");
         }
 
         if (profileName is not null)
@@ -64,7 +69,17 @@ internal sealed class PngColorInfo
                 : (TransferFunction.Srgb, $"assumed; the iCCP profile '{profileName}' is not interpreted");
         }
 
-        return (TransferFunction.Srgb, codingNote ?? "assumed");
+        return (TransferFunction.Srgb, (codingNote ?? "assumed") + primaries);
+    }
+
+    /// <summary>White point and primaries of sRGB are 0.3127, 0.329, 0.64, 0.33, 0.3, 0.6, 0.15, 0.06; files round them.</summary>
+    private void AddPrimaries(ReadOnlySpan<byte> content)
+    {
+        ReadOnlySpan<int> own = [31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000];
+        for (int i = 0; i < own.Length; i++)
+        {
+            hasOtherPrimaries |= Math.Abs((long)BinaryPrimitives.ReadUInt32BigEndian(content[(4 * i)..]) - own[i]) > 100;
+        }
     }
 
     private TransferFunction? FromGamma()

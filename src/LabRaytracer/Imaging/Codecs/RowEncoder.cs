@@ -6,7 +6,7 @@ namespace LabRaytracer;
 /// <remarks>Immutable, thread safe.</remarks>
 internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMapping toneMapping, Dithering dithering = Dithering.None)
 {
-    private readonly OrderedDither? dither = dithering == Dithering.Ordered && bitDepth == 8 ? new OrderedDither(transfer) : null;
+    private readonly OrderedDither? dither = dithering != Dithering.None && bitDepth == 8 ? new OrderedDither(transfer, dithering) : null;
     private readonly CodeTable? table = ColorEncoding.EncodeTable(transfer, bitDepth);
 
     /// <summary>3 or 6.</summary>
@@ -14,7 +14,7 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
 
     /// <summary>Encodes one row.</summary>
     /// <param name="row">Its light.</param>
-    /// <param name="y">Its number; only its remainder by <see cref="OrderedDither.Side"/> matters.</param>
+    /// <param name="y">Its number; only where light is dithered it matters.</param>
     /// <param name="target">Receives the codes.</param>
     public void Encode(ReadOnlySpan<Intensity> row, int y, Span<byte> target)
     {
@@ -54,7 +54,7 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
         for (int x = 0; x < row.Length; x++)
         {
             Intensity light = toneMapping.Apply(row[x]);
-            float threshold = OrderedDither.Threshold(x, y);
+            float threshold = thresholds.ThresholdAt(x, y);
             target[3 * x] = thresholds.Code(light.R, threshold);
             target[(3 * x) + 1] = thresholds.Code(light.G, threshold);
             target[(3 * x) + 2] = thresholds.Code(light.B, threshold);
