@@ -122,5 +122,5 @@ internal sealed class RenderSettings
 
     // Not generic: the runtime would compile each generic method again for every enumeration, before any work.
     private static Dictionary<string, object> Words(Type type) =>
-        Enum.GetValues(type).Cast<object>().ToDictionary(value => value.ToString()!.ToLowerInvariant());
+        Enum.GetNames(type).ToDictionary(name => name.ToLowerInvariant(), name => Enum.Parse(type, name));
 }

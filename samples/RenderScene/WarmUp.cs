@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using LabRaytracer;
 
 namespace RenderScene;
@@ -7,11 +8,11 @@ internal static class WarmUp
 {
     private const int LargeScene = 1 << 20;
 
-    /// <summary>Renders one tile of what most scenes have, if a render is asked for and there are two processors; failures do not matter.</summary>
+    /// <summary>Renders one tile of what most scenes have, if there is anything to compile, a render is asked for and there are two processors; failures do not matter.</summary>
     /// <param name="arguments">The words after the program's name.</param>
     public static void Start(IReadOnlyList<string> arguments)
     {
-        if (Environment.ProcessorCount > 1 && arguments is [] or ["render", _, ..])
+        if (RuntimeFeature.IsDynamicCodeCompiled && Environment.ProcessorCount > 1 && arguments is [] or ["render", _, ..])
         {
             Precision precision = arguments.Contains("float") || arguments.Contains("--precision=float") ? Precision.Single : Precision.Double;
             new Thread(() => Render(precision, arguments)) { IsBackground = true }.Start();

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 
 namespace LabRaytracer.Validation;
 
@@ -45,24 +46,22 @@ internal sealed record StressReport(StressOptions Options, IReadOnlyList<StressR
         $"{Rows.Count} features, {Rows.Sum(row => row.Rows)} rows, {Rows.Count(row => !row.IsKept)} broken bounds, {Seconds:0.0} s, seed {Options.Seed}\n");
 
     /// <summary>The table as JSON.</summary>
-    public string ToJson() => JsonSerializer.Serialize(
-        new
+    public string ToJson() => new JsonObject
+    {
+        ["seed"] = Options.Seed,
+        ["form"] = Options.IsLong ? "long" : "short",
+        ["seconds"] = Math.Round(Seconds, 1),
+        ["rows"] = new JsonArray([.. Rows.Select(row => new JsonObject
         {
-            seed = Options.Seed,
-            form = Options.IsLong ? "long" : "short",
-            seconds = Math.Round(Seconds, 1),
-            rows = Rows.Select(row => new
-            {
-                feature = row.Feature,
-                rows = row.Rows,
-                worst = double.IsFinite(row.Worst) ? row.Worst : double.MaxValue,
-                bound = row.Bound,
-                unit = row.Unit,
-                verdict = row.Verdict,
-                example = row.Example,
-            }),
-        },
-        s_json) + "\n";
+            ["feature"] = row.Feature,
+            ["rows"] = row.Rows,
+            ["worst"] = double.IsFinite(row.Worst) ? row.Worst : double.MaxValue,
+            ["bound"] = row.Bound,
+            ["unit"] = row.Unit,
+            ["verdict"] = row.Verdict,
+            ["example"] = row.Example,
+        })]),
+    }.ToJsonString(s_json) + "\n";
 
     /// <summary>The table in Markdown, for the README.</summary>
     public string ToMarkdown()

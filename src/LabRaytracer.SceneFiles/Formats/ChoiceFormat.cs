@@ -46,7 +46,9 @@ internal static class ChoiceFormat
     /// <summary>All values of an enumeration.</summary>
     /// <remarks>Without generic methods inside: the runtime would compile each of them again for every enumeration, before any scene is read.</remarks>
     public static ChoiceFormat<TEnum> Of<TEnum>()
-        where TEnum : struct, Enum => new(Words(typeof(TEnum)), (TEnum[])Enum.GetValues(typeof(TEnum)));
+        where TEnum : struct, Enum => new(Words(typeof(TEnum)), [.. Values(typeof(TEnum)).Cast<TEnum>()]);
 
     private static string[] Words(Type type) => [.. Enum.GetNames(type).Select(name => char.ToLowerInvariant(name[0]) + name[1..])];
+
+    private static object[] Values(Type type) => [.. Enum.GetNames(type).Select(name => Enum.Parse(type, name))];
 }

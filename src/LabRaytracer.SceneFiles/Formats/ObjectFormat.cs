@@ -44,7 +44,7 @@ internal sealed class ObjectFormat<T>(string name, string description, IReadOnly
             properties[key.Name] = key.Schema(schema);
         }
 
-        JsonArray required = [.. keys.Where(key => key.IsRequired).Select(key => JsonValue.Create(key.Name))];
+        JsonArray required = new([.. keys.Where(key => key.IsRequired).Select(key => JsonValue.Create(key.Name))]);
         if (tag is not null)
         {
             required.Insert(0, tag.Value.Key);

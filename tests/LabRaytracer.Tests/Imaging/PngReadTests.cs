@@ -50,6 +50,17 @@ public sealed class PngReadTests
         AssertSamples(png, Read(png.ToBytes()), hasTransparency: false);
     }
 
+    [Theory]
+    [InlineData(2, 8, false)]
+    [InlineData(6, 16, false)]
+    [InlineData(2, 8, true)]
+    public void Read_ManyBlocksOfRows_GivesEverySample(int type, int depth, bool interlaced)
+    {
+        // So large that rows are unfiltered on another thread than they are inflated on.
+        TestPng png = Create(type, depth, interlaced, 301, 1201, withTransparency: false);
+        AssertSamples(png, Read(png.ToBytes()), hasTransparency: false);
+    }
+
     [Fact]
     public void Read_GreyAndColouredFiles_TellsGrey()
     {

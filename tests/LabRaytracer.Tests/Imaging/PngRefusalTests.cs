@@ -128,6 +128,17 @@ public sealed class PngRefusalTests
         AssertRefused("index 4", Header(4, 4, 8, 3, 0, 0, 0), ("PLTE", new byte[12]), ("IDAT", TestPng.Deflate(index)));
     }
 
+    [Fact]
+    public void Read_LargePictureWithTwoMistakes_NamesTheFirst()
+    {
+        // Row 500 has a filter that does not exist, and the rows end at 900 of 1000.
+        byte[] rows = new byte[900 * 3001];
+        rows[500 * 3001] = 7;
+        AssertRefused("filter 7", Header(1000, 1000, 8, 2, 0, 0, 0), ("IDAT", TestPng.Deflate(rows)));
+        rows[500 * 3001] = 0;
+        AssertRefused("end too early", Header(1000, 1000, 8, 2, 0, 0, 0), ("IDAT", TestPng.Deflate(rows)));
+    }
+
     private static (string Type, byte[] Content) Header(int width, int height, byte depth, byte type, byte compression, byte filter, byte interlace)
     {
         byte[] header = [0, 0, 0, 0, 0, 0, 0, 0, depth, type, compression, filter, interlace];

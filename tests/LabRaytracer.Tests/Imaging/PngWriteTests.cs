@@ -165,6 +165,54 @@ public sealed class PngWriteTests
         Assert.Equal(0x11E60398u, Adler32.Compute("Wikipedia"u8));
     }
 
+    [Fact]
+    public void Adler32_AnyLength_IsTheSumOfRfc1950()
+    {
+        byte[] data = new byte[12000];
+        new Random(2).NextBytes(data);
+        data.AsSpan(3000, 6000).Fill(255);
+        foreach (int length in new[] { 0, 1, 15, 16, 31, 32, 33, 63, 64, 100, 5551, 5552, 5553, 12000 })
+        {
+            // Section 8.2 of RFC 1950, byte by byte.
+            ulong a = 1, b = 0;
+            foreach (byte value in data.AsSpan(0, length))
+            {
+                a = (a + value) % 65521;
+                b = (b + a) % 65521;
+            }
+
+            Assert.Equal((uint)((b << 16) | a), Adler32.Compute(data.AsSpan(0, length)));
+        }
+    }
+
+    [Fact]
+    public void Encode_LinearLightAroundEveryThreshold_GivesTheExactCode()
+    {
+        // Code k begins at (2k - 1) / 510; the floats next to it on both sides must fall on their own sides, as they do in integers: floor((510 light + 1) / 2), where light is a multiple of 2^-40.
+        List<float> lights = [float.NaN, float.NegativeInfinity, -1, -0f, 0, float.Epsilon, 1, 1.0000001f, 2, float.PositiveInfinity];
+        List<int> codes = [0, 0, 0, 0, 0, 0, 255, 255, 255, 255];
+        for (int code = 1; code <= 255; code++)
+        {
+            float near = ((2 * code) - 1) / 510f;
+            foreach (float light in new[] { MathF.BitDecrement(near), near, MathF.BitIncrement(near) })
+            {
+                lights.Add(light);
+                codes.Add((int)(((510 * (long)Math.ScaleB(light, 40)) + (1L << 40)) >> 41));
+            }
+        }
+
+        while (lights.Count % 3 != 0)
+        {
+            lights.Add(0.5f);
+            codes.Add(128);
+        }
+
+        Intensity[] row = [.. Enumerable.Range(0, lights.Count / 3).Select(x => new Intensity(lights[3 * x], lights[(3 * x) + 1], lights[(3 * x) + 2]))];
+        byte[] target = new byte[lights.Count];
+        new RowEncoder(TransferFunction.Linear, 8, ToneMapping.Default).Encode(row, 0, target);
+        Assert.Equal(codes, target.Select(code => (int)code));
+    }
+
     internal static Picture Pattern(int width, int height)
     {
         Picture picture = new(width, height);

@@ -7,6 +7,9 @@ internal sealed class PngReader
 {
     private const int BlockBytes = 1 << 16;
 
+    // Fewer blocks are unfiltered before another thread has begun.
+    private const int ManyBlocks = 8;
+
     // The seven passes of Adam7: first column and row, steps (PNG specification, section 8.2).
     private static readonly (int X, int Y, int StepX, int StepY)[] Passes =
         [(0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2)];
@@ -143,38 +146,73 @@ internal sealed class PngReader
         }
     }
 
-    /// <summary>Inflates and unfilters blocks of rows; slot 0 of the buffer is the row above the block.</summary>
+    /// <summary>Inflates and unfilters blocks of rows; of a large picture the next block is inflated while one is unfiltered on another thread.</summary>
     private void ReadPass(ZLibStream inflated, PngRowExpander expander, PngPass pass)
     {
         int stride = header.RowBytes(pass.Width) + 1;
         int rowsInBlock = Math.Clamp(BlockBytes / stride, 1, pass.Height);
+        bool isLarge = Environment.ProcessorCount > 1 && pass.Height / rowsInBlock >= ManyBlocks;
+
+        // Slot 0 of a buffer is the row above its block.
         byte[] buffer = new byte[(rowsInBlock + 1) * stride];
+        byte[] next = isLarge ? new byte[buffer.Length] : buffer;
+        Task unfiltering = Task.CompletedTask;
         for (int first = 0; first < pass.Height; first += rowsInBlock)
         {
-            int rows = Math.Min(rowsInBlock, pass.Height - first);
-            Span<byte> block = buffer.AsSpan(stride, rows * stride);
-            if (inflated.ReadAtLeast(block, block.Length, throwOnEndOfStream: false) < block.Length)
+            int rows = Math.Min(rowsInBlock, pass.Height - first), firstRow = first;
+            try
             {
-                throw chunks.Bad("the pixels end too early");
+                Inflate(inflated, buffer.AsSpan(stride, rows * stride));
+            }
+            finally
+            {
+                // Mistakes are told in the order of the file.
+                unfiltering.GetAwaiter().GetResult();
             }
 
             // Taken only after the first rows are there: a size in a header is only a claim.
             Allocate();
-            for (int i = 0; i < rows; i++)
+            byte[] current = buffer, following = next;
+            if (isLarge)
             {
-                Span<byte> row = block.Slice((i * stride) + 1, stride - 1);
-                ReadOnlySpan<byte> above = buffer.AsSpan((i * stride) + 1, stride - 1);
-                byte filter = block[i * stride];
-                if (!PngUnfilter.Apply(filter, row, above, header.FilterDistance))
-                {
-                    throw chunks.Bad($"the row filter {filter} does not exist; 0 to 4 do");
-                }
-
-                Place(expander, row, pass, first + i);
+                unfiltering = Task.Run(() => Unfilter(expander, current.AsSpan(0, (rows + 1) * stride), following, pass, firstRow));
+            }
+            else
+            {
+                Unfilter(expander, current.AsSpan(0, (rows + 1) * stride), following, pass, firstRow);
             }
 
-            block[^stride..].CopyTo(buffer);
+            (buffer, next) = (next, buffer);
         }
+
+        unfiltering.GetAwaiter().GetResult();
+    }
+
+    private void Inflate(ZLibStream inflated, Span<byte> block)
+    {
+        if (inflated.ReadAtLeast(block, block.Length, throwOnEndOfStream: false) < block.Length)
+        {
+            throw chunks.Bad("the pixels end too early");
+        }
+    }
+
+    /// <summary>Unfilters and places rows; the last one goes into slot 0 of the next buffer.</summary>
+    private void Unfilter(PngRowExpander expander, Span<byte> slots, Span<byte> next, PngPass pass, int firstRow)
+    {
+        int stride = header.RowBytes(pass.Width) + 1;
+        for (int slot = stride; slot < slots.Length; slot += stride)
+        {
+            Span<byte> row = slots.Slice(slot + 1, stride - 1);
+            ReadOnlySpan<byte> above = slots.Slice(slot - stride + 1, stride - 1);
+            if (!PngUnfilter.Apply(slots[slot], row, above, header.FilterDistance))
+            {
+                throw chunks.Bad($"the row filter {slots[slot]} does not exist; 0 to 4 do");
+            }
+
+            Place(expander, row, pass, firstRow++);
+        }
+
+        slots[^stride..].CopyTo(next);
     }
 
     private void Allocate()
@@ -182,11 +220,11 @@ internal sealed class PngReader
         int length = 4 * header.Width * header.Height;
         if (header.BitDepth == 16 && samples16.Length == 0)
         {
-            samples16 = new ushort[length];
+            samples16 = GC.AllocateUninitializedArray<ushort>(length);
         }
         else if (header.BitDepth < 16 && samples8.Length == 0)
         {
-            samples8 = new byte[length];
+            samples8 = GC.AllocateUninitializedArray<byte>(length);
         }
     }
 

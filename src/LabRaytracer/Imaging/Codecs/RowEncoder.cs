@@ -1,4 +1,6 @@
 using System.Buffers.Binary;
+using System.Numerics;
+using System.Runtime.InteropServices;
 
 namespace LabRaytracer;
 
@@ -30,6 +32,10 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
         {
             EncodeClamped8(row, target, codes);
         }
+        else if (table is null && toneMapping.IsPlainClamp)
+        {
+            EncodeLinear8(MemoryMarshal.Cast<Intensity, float>(row), target);
+        }
         else
         {
             Encode8(row, target);
@@ -47,6 +53,34 @@ internal sealed class RowEncoder(TransferFunction transfer, int bitDepth, ToneMa
             target[i + 1] = (byte)codes.Encode(light.G);
             target[i + 2] = (byte)codes.Encode(light.B);
         }
+    }
+
+    /// <summary><see cref="ColorEncoding.Linear8FromLinear"/> of many components.</summary>
+    private static void EncodeLinear8(ReadOnlySpan<float> light, Span<byte> target)
+    {
+        int i = 0;
+        for (; i <= light.Length - Vector<byte>.Count; i += Vector<byte>.Count)
+        {
+            ReadOnlySpan<float> part = light.Slice(i, Vector<byte>.Count);
+            Vector<short> low = Vector.Narrow(LinearCodes(part), LinearCodes(part[Vector<float>.Count..]));
+            Vector<short> high = Vector.Narrow(LinearCodes(part[(2 * Vector<float>.Count)..]), LinearCodes(part[(3 * Vector<float>.Count)..]));
+            Vector.AsVectorByte(Vector.Narrow(low, high)).CopyTo(target[i..]);
+        }
+
+        for (; i < light.Length; i++)
+        {
+            target[i] = ColorEncoding.Linear8FromLinear(light[i]);
+        }
+    }
+
+    private static Vector<int> LinearCodes(ReadOnlySpan<float> part)
+    {
+        Vector<float> light = new(part);
+        light = Vector.ConditionalSelect(Vector.GreaterThan(light, Vector<float>.Zero), light, Vector<float>.Zero);
+        light = Vector.ConditionalSelect(Vector.LessThan(light, Vector<float>.One), light, Vector<float>.One);
+        Vector.Widen(light, out Vector<double> low, out Vector<double> high);
+        Vector<double> max = new(255), half = new(0.5);
+        return Vector.ConvertToInt32(Vector.Narrow(Vector.Floor((low * max) + half), Vector.Floor((high * max) + half)));
     }
 
     private void EncodeDithered8(ReadOnlySpan<Intensity> row, int y, Span<byte> target, OrderedDither thresholds)
