@@ -64,6 +64,20 @@ internal interface IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
 
+    /// <summary>Tells whether the normals for shading are the geometric ones and <see cref="Smooth"/> writes them. Default: no.</summary>
+    static virtual bool IsSmooth => false;
+
+    /// <summary>The numbers of <see cref="Surface"/> straight into columns: nothing is written that nobody reads.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">As for <see cref="Surface"/>.</param>
+    /// <param name="to">Where the surface goes.</param>
+    /// <param name="packet">Group of lanes in the columns.</param>
+    /// <param name="needs">Columns that somebody reads.</param>
+    static virtual void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => throw new NotSupportedException();
+
     /// <summary>Makes t correctly rounded and the point as accurate as twice the digits allow, where the shape can; the rest stays. Double lanes only.</summary>
     /// <param name="shape">The shape's numbers.</param>
     /// <param name="ray">Rays in object space.</param>

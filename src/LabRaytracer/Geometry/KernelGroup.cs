@@ -89,6 +89,14 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     public override void Surface(
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs)
     {
+        if (K.IsSmooth && (needs & SurfaceNeeds.Sharp) == 0)
+        {
+            surfaces.SharesNormals = true;
+            int* members = _numberOfMember.Count == 1 ? null : memberOfObject;
+            hits.Refined += SmoothSurface<K>.Run<R, F, I>(rays.Columns, hits.T, hits.Object, _numbers, members, order, count, surfaces.Columns, needs);
+            return;
+        }
+
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);

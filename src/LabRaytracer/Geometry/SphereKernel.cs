@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>The formulas of <see cref="Sphere"/>: centre x, y, z and radius.</summary>
-internal readonly struct SphereKernel : IShapeKernel
+internal readonly unsafe struct SphereKernel : IShapeKernel
 {
     private const int CenterX = 0, CenterY = 1, CenterZ = 2, Radius = 3;
 
@@ -13,6 +13,8 @@ internal readonly struct SphereKernel : IShapeKernel
     public static bool IsConvex => true;
 
     public static bool HasQuickLook => true;
+
+    public static bool IsSmooth => true;
 
     public static bool IsCurved => true;
 
@@ -97,13 +99,59 @@ internal readonly struct SphereKernel : IShapeKernel
         return ~(passesBy | isBehind);
     }
 
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        Reach(shape, ray, ref t, out R x, out R y, out R z);
+        Place(shape, x, y, z, out s);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        Reach(shape, ray, ref t, out R x, out R y, out R z);
+        PositionBatch<R> p = to.Positions;
+        to.Slack[packet] = SlackOf<R, P>(shape);
+        R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z)), radius = shape[Radius];
+        StoreAxis(p.WorldX, p.WorldNormalX, p.X, p.NormalX, packet, x * toUnit, radius, shape[CenterX], needs);
+        StoreAxis(p.WorldY, p.WorldNormalY, p.Y, p.NormalY, packet, y * toUnit, radius, shape[CenterY], needs);
+        StoreAxis(p.WorldZ, p.WorldNormalZ, p.Z, p.NormalZ, packet, z * toUnit, radius, shape[CenterZ], needs);
+        if ((needs & SurfaceNeeds.SurfaceCoordinates) != 0)
+        {
+            p.SurfaceU[packet] = p.SurfaceV[packet] = R.Zero;
+        }
+    }
+
+    /// <summary>One coordinate of the surface in all its columns.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreAxis<R>(R* point, R* normal, R* local, R* localNormal, int packet, R unit, R radius, R center, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+    {
+        point[packet] = R.Fma(radius, unit, center);
+        normal[packet] = unit;
+        if ((needs & SurfaceNeeds.LocalPoint) != 0)
+        {
+            local[packet] = unit;
+        }
+
+        if ((needs & SurfaceNeeds.LocalNormal) != 0)
+        {
+            localNormal[packet] = unit;
+        }
+    }
+
+    /// <summary>The point relative to the centre, not yet put back onto the sphere.</summary>
     /// <remarks>
-    /// The local point is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
+    /// It is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
     /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
     /// Grazing hits, where half the chord has lost digits, are computed with twice the digits: t within 2.5 units of 2^-53, the point within 3 such units of the radius.
     /// </remarks>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Reach<R, P>(in P shape, in RayLanes<R> ray, ref R t, out R x, out R y, out R z)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
@@ -113,9 +161,9 @@ internal readonly struct SphereKernel : IShapeKernel
         R nearIsAhead = R.Less(R.Zero, centred.K + (step - half));
         R isNear = nearIsAhead & R.LessOrEqual(t, centred.K + step);
         R along = step + R.Select(isNear, -half, half);
-        R x = R.Fma(along, centred.DirectionX, centred.X);
-        R y = R.Fma(along, centred.DirectionY, centred.Y);
-        R z = R.Fma(along, centred.DirectionZ, centred.Z);
+        x = R.Fma(along, centred.DirectionX, centred.X);
+        y = R.Fma(along, centred.DirectionY, centred.Y);
+        z = R.Fma(along, centred.DirectionZ, centred.Z);
         R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
         if (R.Any(isRoughT))
         {
@@ -131,8 +179,6 @@ internal readonly struct SphereKernel : IShapeKernel
             y = R.Select(isRough, precise.Y, y);
             z = R.Select(isRough, precise.Z, z);
         }
-
-        Place(shape, x, y, z, out s);
     }
 
     /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>
@@ -174,8 +220,13 @@ internal readonly struct SphereKernel : IShapeKernel
         s.PointX = R.Fma(radius, s.LocalX, shape[CenterX]);
         s.PointY = R.Fma(radius, s.LocalY, shape[CenterY]);
         s.PointZ = R.Fma(radius, s.LocalZ, shape[CenterZ]);
-        s.Slack = Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + radius);
+        s.Slack = SlackOf<R, P>(shape);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R SlackOf<R, P>(in P shape)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + shape[Radius]);
 
     /// <summary>Half the chord in units of the direction (0 for a miss) around l + step d; returns the squared half chord in object units, below 0 for a miss.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -44,6 +44,12 @@ internal sealed unsafe class LightStage<R, F, I>(
         ColorColumns<F> radiance = buffers.Radiance;
         bool hasEvenSky = scene.EvenSky != Intensity.Black && !material.Diffuse.IsBlack;
         bool hasAmbient = scene.Ambient != Intensity.Black && !material.Ambient.IsBlack;
+        if (hasAmbient && !hasEvenSky && MatteLight.IsEvenlyPlain(material))
+        {
+            MatteLight.Begin(material, scene.Ambient, buffers, packets);
+            return;
+        }
+
         bool emitsFromFrontOnly = material.Material.EmitsFromFrontOnly;
         CompiledSlot emission = material.Emission, ambient = material.Ambient, diffuse = material.Diffuse;
         for (int packet = 0; packet < packets; packet++)
@@ -189,6 +195,12 @@ internal sealed unsafe class LightStage<R, F, I>(
 
     private void Add(CompiledMaterial material, int packets, int count)
     {
+        if (MatteLight.IsMatte(material))
+        {
+            MatteLight.Add(material, buffers, packets);
+            return;
+        }
+
         IShader shader = material.Material.Shader;
         if (shader is not IWideShader wide)
         {

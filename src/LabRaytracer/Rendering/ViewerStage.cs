@@ -18,7 +18,7 @@ internal static unsafe class ViewerStage
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
-            R dx = run.Collect<R, F>(rays.DirectionX), dy = run.Collect<R, F>(rays.DirectionY), dz = run.Collect<R, F>(rays.DirectionZ);
+            run.Collect<R, F>(rays.DirectionX, rays.DirectionY, rays.DirectionZ, out R dx, out R dy, out R dz);
             buffers.DirectionX[packet] = dx;
             buffers.DirectionY[packet] = dy;
             buffers.DirectionZ[packet] = dz;
@@ -31,6 +31,10 @@ internal static unsafe class ViewerStage
                 s.NormalX[packet] = R.Select(inside, -nx, nx);
                 s.NormalY[packet] = R.Select(inside, -ny, ny);
                 s.NormalZ[packet] = R.Select(inside, -nz, nz);
+            }
+
+            if (!s.SharesNormals && R.Any(inside))
+            {
                 s.ShadingX[packet] = R.Select(inside, -s.ShadingX[packet], s.ShadingX[packet]);
                 s.ShadingY[packet] = R.Select(inside, -s.ShadingY[packet], s.ShadingY[packet]);
                 s.ShadingZ[packet] = R.Select(inside, -s.ShadingZ[packet], s.ShadingZ[packet]);
