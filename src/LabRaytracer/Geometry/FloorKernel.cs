@@ -21,12 +21,6 @@ internal static class FloorKernel
         return R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
     }
 
-    /// <summary>The quick look: rounding to float keeps the order of numbers, so a ray that starts above in floats and goes up in floats does so in doubles.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static F MayHit<F>(F height, F originY, F directionY)
-        where F : unmanaged, IReal<F> =>
-        ~((F.Less(height, originY) & F.Less(F.Zero, directionY)) | (F.Less(originY, height) & F.Less(directionY, F.Zero)));
-
     /// <summary>The point relative to the plane's own one; its y is 0.</summary>
     /// <param name="x">x of the plane's point.</param>
     /// <param name="y">y of the plane's point.</param>

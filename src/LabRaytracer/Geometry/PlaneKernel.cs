@@ -5,6 +5,7 @@ namespace LabRaytracer;
 
 /// <summary>The formulas of <see cref="InfinitePlane"/>: a point, the unit normal, the two axes of its local frame, and whether it is a floor.</summary>
 /// <remarks>A floor, y = c seen from above, makes most products 0 or exact: <see cref="FloorKernel"/> gives the same numbers with a quarter of the work.</remarks>
+[SkipLocalsInit]
 internal readonly unsafe struct PlaneKernel : IShapeKernel
 {
     private const int Point = 0, Normal = 3, AxisX = 6, AxisZ = 9, Floor = 12;
@@ -34,6 +35,13 @@ internal readonly unsafe struct PlaneKernel : IShapeKernel
     private static bool IsFloor<R, P>(in P shape)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => R.All(R.Less(R.Zero, shape[Floor]));
+
+    public static bool IsQuick(ReadOnlySpan<double> numbers) => numbers[Floor] > 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R IntersectQuick<R, P>(in P shape, in RayColumns<R> ray, int packet, out R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => FloorKernel.Intersect(shape[Point + 1], ray.OriginY[packet], ray.DirectionY[packet], out t);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
@@ -78,11 +86,6 @@ internal readonly unsafe struct PlaneKernel : IShapeKernel
         where F : unmanaged, IReal<F>
         where P : struct, IParameters<F>
     {
-        if (IsFloor<F, P>(shape))
-        {
-            return FloorKernel.MayHit(shape[Point + 1], ray.OriginY, ray.DirectionY);
-        }
-
         F nx = shape[Normal], ny = shape[Normal + 1], nz = shape[Normal + 2];
         F px = shape[Point], py = shape[Point + 1], pz = shape[Point + 2];
         F height = Lane.Dot(nx, ny, nz, ray.OriginX - px, ray.OriginY - py, ray.OriginZ - pz);

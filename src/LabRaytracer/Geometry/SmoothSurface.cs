@@ -4,6 +4,7 @@ namespace LabRaytracer;
 
 /// <summary>Surface points of shapes whose kernel is smooth (<see cref="IShapeKernel.IsSmooth"/>).</summary>
 /// <typeparam name="K">The kernel.</typeparam>
+[SkipLocalsInit]
 internal static unsafe class SmoothSurface<K>
     where K : struct, IShapeKernel
 {

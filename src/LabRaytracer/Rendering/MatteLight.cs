@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>The usual case of <see cref="LightStage{R, F, I}"/>: plain coefficients, no highlight, no emission that varies. The same bits in a third of the time.</summary>
+[SkipLocalsInit]
 internal static unsafe class MatteLight
 {
     /// <summary>Tells whether <see cref="Begin"/> is enough for a material.</summary>

@@ -15,6 +15,8 @@ internal static unsafe class ViewerStage
         where I : unmanaged, IIndexLane<I>
     {
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        int first = ((int*)hits.Object)[order[0]];
+        bool isCommon = true;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
@@ -25,7 +27,9 @@ internal static unsafe class ViewerStage
             R nx = s.NormalX[packet], ny = s.NormalY[packet], nz = s.NormalZ[packet];
             R inside = R.Less(R.Zero, Lane.Dot(nx, ny, nz, dx, dy, dz));
             buffers.Inside[packet] = inside;
-            buffers.ShadowRays.Source[packet] = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
+            I source = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
+            buffers.ShadowRays.Source[packet] = source;
+            isCommon &= I.AllEqual(source, first);
             if (R.Any(inside))
             {
                 s.NormalX[packet] = R.Select(inside, -nx, nx);
@@ -40,5 +44,7 @@ internal static unsafe class ViewerStage
                 s.ShadingZ[packet] = R.Select(inside, -s.ShadingZ[packet], s.ShadingZ[packet]);
             }
         }
+
+        buffers.ShadowRays.CommonSource = isCommon ? first : -1;
     }
 }
