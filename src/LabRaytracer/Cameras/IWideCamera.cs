@@ -13,6 +13,15 @@ internal interface IWideCamera
     unsafe void Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
         where R : unmanaged, IReal<R>;
 
+    /// <summary>Bounds of all rays through a rectangle of the picture, if they are known without looking at each. Default: they are not.</summary>
+    /// <param name="left">Least x, pixels from the left.</param>
+    /// <param name="right">Largest x.</param>
+    /// <param name="top">Least y, pixels from the top.</param>
+    /// <param name="bottom">Largest y.</param>
+    /// <param name="width">Width of the whole picture, pixels.</param>
+    /// <param name="height">Height of the whole picture, pixels.</param>
+    RayBounds? Bounds(double left, double right, double top, double bottom, int width, int height) => null;
+
     /// <summary>Differentials of the rays with given directions; origins do not matter to them.</summary>
     /// <param name="directions">Unit directions of the camera's rays.</param>
     /// <param name="differentials">Where the differentials go, for steps of <paramref name="spacing"/>.</param>

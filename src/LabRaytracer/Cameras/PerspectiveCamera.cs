@@ -52,6 +52,27 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
 
     unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height) => Aim(x, y, rays, packets, width, height);
 
+    /// <remarks>Before they are normalised, directions are linear in x and y: the corners of the rectangle bound them. Their length is that of (1, aside, above).</remarks>
+    RayBounds? IWideCamera.Bounds(double left, double right, double top, double bottom, int width, int height)
+    {
+        double scale = _halfHeight / height;
+        double aside = Math.FusedMultiplyAdd(2, left, -width) * scale, farAside = Math.FusedMultiplyAdd(2, right, -width) * scale;
+        double above = Math.FusedMultiplyAdd(-2, bottom, height) * scale, farAbove = Math.FusedMultiplyAdd(-2, top, height) * scale;
+        (double leastX, double largestX) = Range(_frame.Forward.X, _frame.Right.X, _frame.Up.X);
+        (double leastY, double largestY) = Range(_frame.Forward.Y, _frame.Right.Y, _frame.Up.Y);
+        (double leastZ, double largestZ) = Range(_frame.Forward.Z, _frame.Right.Z, _frame.Up.Z);
+        double nearAside = Math.Max(0, Math.Max(aside, -farAside)), nearAbove = Math.Max(0, Math.Max(above, -farAbove));
+        return new RayBounds(
+            Eye, Eye, new Vector3D(leastX, leastY, leastZ), new Vector3D(largestX, largestY, largestZ),
+            Math.Sqrt(1 + (nearAside * nearAside) + (nearAbove * nearAbove)), double.PositiveInfinity);
+
+        (double Least, double Largest) Range(double forward, double right, double up)
+        {
+            double a = aside * right, b = farAside * right, c = above * up, d = farAbove * up;
+            return (forward + Math.Min(a, b) + Math.Min(c, d), forward + Math.Max(a, b) + Math.Max(c, d));
+        }
+    }
+
     /// <summary>The same, not virtual: ahead-of-time compilers do not see through virtual generic methods.</summary>
     internal unsafe void Aim<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
         where R : unmanaged, IReal<R>

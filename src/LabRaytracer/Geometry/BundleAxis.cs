@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>One axis of a bundle of rays: between which numbers all origins and all directions lie.</summary>
@@ -28,6 +30,7 @@ internal readonly struct BundleAxis
     /// <param name="max">Upper plane.</param>
     /// <param name="start">No ray is inside before; at least 0.</param>
     /// <param name="end">No ray is inside after; below 0 when none ever is.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Narrow(double min, double max, ref double start, ref double end)
     {
         if (IsMixed)
@@ -39,16 +42,17 @@ internal readonly struct BundleAxis
         double toNear = isUp ? min - _largestOrigin : max - _leastOrigin;
         double toFar = isUp ? max - _leastOrigin : min - _largestOrigin;
 
-        // The fastest ray that starts nearest comes first; the slowest that starts farthest leaves last.
-        start = Math.Max(start, toNear * (isUp ? _inverseOfLargest : _inverseOfLeast));
+        // The fastest ray that starts nearest comes first; the slowest that starts farthest leaves last. The second operand where the first is NaN.
+        start = double.MaxNative(toNear * (isUp ? _inverseOfLargest : _inverseOfLeast), start);
         double last = toFar * (isUp ? _inverseOfLeast : _inverseOfLargest);
-        end = last >= 0 ? Math.Min(end, last) : -1;
+        end = last >= 0 ? double.MinNative(last, end) : -1;
     }
 
     /// <summary>Tells whether a ray of a mixed axis may be inside a slab up to a ray parameter; true on other axes.</summary>
     /// <param name="min">Lower plane.</param>
     /// <param name="max">Upper plane.</param>
     /// <param name="end">Largest ray parameter of interest, at least 0.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Meets(double min, double max, double end) =>
         !IsMixed || !(_leastOrigin + (_leastDirection * end) > max || _largestOrigin + (_largestDirection * end) < min);
 }

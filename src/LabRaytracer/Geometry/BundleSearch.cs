@@ -1,7 +1,10 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Finds the objects that a bundle of rays may meet.</summary>
 /// <remarks>Immutable, thread safe.</remarks>
+[SkipLocalsInit]
 internal sealed unsafe class BundleSearch
 {
     /// <summary>Most objects that are worth a list: with more, single groups of lanes find theirs faster.</summary>
@@ -40,6 +43,7 @@ internal sealed unsafe class BundleSearch
 
     private static double Largest(double min, double max) => Math.Max(Math.Abs(min), Math.Abs(max));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Bounds BoxOf(Bvh tree, in BvhNode node) => new(
         new Point3D(node.MinX + tree.Frame.CenterX, node.MinY + tree.Frame.CenterY, node.MinZ + tree.Frame.CenterZ),
         new Point3D(node.MaxX + tree.Frame.CenterX, node.MaxY + tree.Frame.CenterY, node.MaxZ + tree.Frame.CenterZ));

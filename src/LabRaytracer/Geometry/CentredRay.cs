@@ -9,32 +9,40 @@ namespace LabRaytracer;
 /// carried in two parts and k D cancels against it inside one fused multiply-add. Whatever k's own rounding is, L lies on the ray.
 /// A formula that uses L and s alone is as accurate for a far camera as for a near one.
 /// </remarks>
-internal readonly struct CentredRay<R>
+internal struct CentredRay<R>
     where R : unmanaged, IReal<R>
 {
     /// <summary>Ray parameter of L.</summary>
-    public readonly R K;
+    public R K;
 
     /// <summary>L, relative to the centre; perpendicular to the direction up to the rounding of <see cref="K"/>.</summary>
-    public readonly R X, Y, Z;
+    public R X, Y, Z;
 
     /// <summary>Direction, as given.</summary>
-    public readonly R DirectionX, DirectionY, DirectionZ;
+    public R DirectionX, DirectionY, DirectionZ;
 
     /// <summary>1 / D.D.</summary>
-    public readonly R InverseLengthSquared;
+    public R InverseLengthSquared;
 
+    /// <summary>Rays seen from a centre.</summary>
+    /// <remarks>No constructor: the compiler would clear its result first, make it elsewhere and copy it.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public CentredRay(in RayLanes<R> ray, in R centerX, in R centerY, in R centerZ)
+    public static void Of(in RayLanes<R> ray, in R centerX, in R centerY, in R centerZ, out CentredRay<R> centred)
     {
-        (DirectionX, DirectionY, DirectionZ) = (ray.DirectionX, ray.DirectionY, ray.DirectionZ);
+        Unsafe.SkipInit(out centred);
+        R dx = ray.DirectionX, dy = ray.DirectionY, dz = ray.DirectionZ;
         R x = Compensated.Difference(ray.OriginX, centerX, out R restX);
         R y = Compensated.Difference(ray.OriginY, centerY, out R restY);
         R z = Compensated.Difference(ray.OriginZ, centerZ, out R restZ);
-        InverseLengthSquared = R.Of(1) / Lane.Dot(DirectionX, DirectionY, DirectionZ, DirectionX, DirectionY, DirectionZ);
-        K = -Lane.Dot(x, y, z, DirectionX, DirectionY, DirectionZ) * InverseLengthSquared;
-        X = R.Fma(K, DirectionX, x) + restX;
-        Y = R.Fma(K, DirectionY, y) + restY;
-        Z = R.Fma(K, DirectionZ, z) + restZ;
+        R inverse = R.Of(1) / Lane.Dot(dx, dy, dz, dx, dy, dz);
+        R k = -Lane.Dot(x, y, z, dx, dy, dz) * inverse;
+        centred.K = k;
+        centred.InverseLengthSquared = inverse;
+        centred.DirectionX = dx;
+        centred.DirectionY = dy;
+        centred.DirectionZ = dz;
+        centred.X = R.Fma(k, dx, x) + restX;
+        centred.Y = R.Fma(k, dy, y) + restY;
+        centred.Z = R.Fma(k, dz, z) + restZ;
     }
 }

@@ -5,6 +5,7 @@ namespace LabRaytracer;
 /// <summary>The first ray parameter on a sphere from half a chord that keeps its digits however short it is: what rounding drops is summed beside.</summary>
 /// <typeparam name="R">Lane type of geometry.</typeparam>
 /// <remarks>A tenth of the cost of <see cref="PreciseSphereHit{R}"/>, for rays that start at least two radii before their hit and whose decisions are not close.</remarks>
+[SkipLocalsInit]
 internal readonly struct CompensatedChord<R>
     where R : unmanaged, IReal<R>
 {

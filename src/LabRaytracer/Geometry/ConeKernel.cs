@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>The formulas of <see cref="Cone"/>: apex x, y, z, radius of the base, height, and 1 for a base or 0 for none.</summary>
+[SkipLocalsInit]
 internal readonly struct ConeKernel : IShapeKernel
 {
     private const int ApexX = 0, ApexY = 1, ApexZ = 2, Radius = 3, Height = 4, HasBase = 5;
@@ -30,7 +31,7 @@ internal readonly struct ConeKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[ApexX], shape[ApexY], shape[ApexZ]);
+        CentredRay<R>.Of(ray, shape[ApexX], shape[ApexY], shape[ApexZ], out CentredRay<R> centred);
         ConeChoice<R> choice = new(centred, shape[Radius], shape[Height], shape[HasBase]);
         t = centred.K + choice.Along;
         R hit = choice.IsHit;
@@ -50,7 +51,7 @@ internal readonly struct ConeKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[ApexX], shape[ApexY], shape[ApexZ]);
+        CentredRay<R>.Of(ray, shape[ApexX], shape[ApexY], shape[ApexZ], out CentredRay<R> centred);
         ConeChoice<R> choice = new(centred, shape[Radius], shape[Height], shape[HasBase]);
         if (R.Any(choice.IsRough))
         {
@@ -68,7 +69,7 @@ internal readonly struct ConeKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius], height = shape[Height];
-        CentredRay<R> centred = new(ray, shape[ApexX], shape[ApexY], shape[ApexZ]);
+        CentredRay<R>.Of(ray, shape[ApexX], shape[ApexY], shape[ApexZ], out CentredRay<R> centred);
         ConeChoice<R> choice = new(centred, radius, height, shape[HasBase]);
         R isBase = choice.IsBase;
         R x = R.Fma(choice.Along, centred.DirectionX, centred.X);

@@ -4,6 +4,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>The formulas of <see cref="Cylinder"/>: centre x, y, z, radius and half the height.</summary>
+[SkipLocalsInit]
 internal readonly struct CylinderKernel : IShapeKernel
 {
     private const int CenterX = 0, CenterY = 1, CenterZ = 2, Radius = 3, HalfHeight = 4;
@@ -30,7 +31,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         R along = Choose(centred, shape[Radius], shape[HalfHeight], out R hit, out R isClose, out _);
         t = centred.K + along;
         return R.Any(isClose) ? Decide(shape, ray, centred.K, isClose, hit, ref t) : hit;
@@ -42,7 +43,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         Choose(centred, shape[Radius], shape[HalfHeight], out _, out _, out R isRough);
         return R.Any(isRough) ? R.Select(isRough, Precise(shape, ray, centred.K).T, t) : t;
     }
@@ -57,7 +58,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius], halfHeight = shape[HalfHeight];
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         R along = Choose(centred, radius, halfHeight, out _, out _, out R isRough);
         R x = R.Fma(along, centred.DirectionX, centred.X);
         R y = R.Fma(along, centred.DirectionY, centred.Y);
@@ -80,7 +81,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         PreciseCylinderHit<R> precise = Precise(shape, ray, centred.K);
         t = R.Select(precise.IsHit, precise.T, t);
         for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)

@@ -8,6 +8,7 @@ namespace LabRaytracer;
 /// Relative error of each operation at most a few units of the square of the lane's precision, as long as nothing underflows:
 /// Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017.
 /// </remarks>
+[SkipLocalsInit]
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct DoubleWord<R>(R high, R low)
     where R : unmanaged, IReal<R>

@@ -33,6 +33,19 @@ internal interface IShapeKernel
     /// <summary>Tells whether the kernel has a quick look of its own; others are looked at by the sphere around their box. Default: no.</summary>
     static virtual bool HasQuickLook => false;
 
+    /// <summary>Tells whether a shape is so quick to intersect that <see cref="IntersectQuick"/> takes the place of a quick look. Default: no.</summary>
+    /// <param name="numbers">The shape's numbers.</param>
+    static virtual bool IsQuick(ReadOnlySpan<double> numbers) => false;
+
+    /// <summary><see cref="Intersect"/> of shapes that <see cref="IsQuick"/>, small enough to be compiled into a loop.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays, in memory.</param>
+    /// <param name="packet">Group of lanes.</param>
+    /// <param name="t">Ray parameters where the mask is true; anything elsewhere.</param>
+    static virtual R IntersectQuick<R, P>(in P shape, in RayColumns<R> ray, int packet, out R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => throw new NotSupportedException();
+
     /// <summary>
     /// A quick look in floats: false only where <see cref="Intersect"/> is certain to find no hit, whatever its precision.
     /// It decides what need not be computed, never what is hit.
@@ -63,6 +76,20 @@ internal interface IShapeKernel
     static abstract void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>;
+
+    /// <summary>Tells whether the normals for shading are the geometric ones and <see cref="Smooth"/> writes them. Default: no.</summary>
+    static virtual bool IsSmooth => false;
+
+    /// <summary>The numbers of <see cref="Surface"/> straight into columns: nothing is written that nobody reads.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">As for <see cref="Surface"/>.</param>
+    /// <param name="to">Where the surface goes.</param>
+    /// <param name="packet">Group of lanes in the columns.</param>
+    /// <param name="needs">Columns that somebody reads.</param>
+    static virtual void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => throw new NotSupportedException();
 
     /// <summary>Makes t correctly rounded and the point as accurate as twice the digits allow, where the shape can; the rest stays. Double lanes only.</summary>
     /// <param name="shape">The shape's numbers.</param>

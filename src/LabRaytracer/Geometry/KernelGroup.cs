@@ -7,17 +7,24 @@ namespace LabRaytracer;
 /// <typeparam name="R">Lane type of geometry.</typeparam>
 /// <typeparam name="F">Float lanes of the same width.</typeparam>
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
+[SkipLocalsInit]
 internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     where K : struct, IShapeKernel
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
+    /// <summary>Groups of lanes that are looked at quickly before those that may hit are computed.</summary>
+    private const int Looks = 128;
+
     private readonly List<double> _described = [];
     private readonly List<int> _numberOfMember = [];
     private readonly List<double> _looks = [];
+    private readonly List<bool> _isQuick = [];
     private R* _numbers;
     private F* _singles;
+
+    public override bool ReadsSingles => _isQuick.Contains(false);
 
     public override int Add(Shape shape, Transform transform, int number)
     {
@@ -30,6 +37,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
 
         _looks.AddRange(K.HasQuickLook ? numbers : BoundingSphere(shape.Bounds.Transformed(transform)));
         _numberOfMember.Add(number);
+        _isQuick.Add(K.IsQuick(numbers));
         return _numberOfMember.Count - 1;
     }
 
@@ -52,18 +60,24 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     {
         SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
         int number = _numberOfMember[member];
-        for (int packet = first; packet < end; packet++)
+        if (_isQuick[member])
         {
-            if (!MayHit(member, rays, packet))
-            {
-                continue;
-            }
+            NearestQuick(shape, number, rays, hits, first, end);
+            return;
+        }
 
-            RayLanes<R> ray = rays.Load(packet);
-            R mask = K.Intersect(shape, ray, out R t);
-            if (R.Any(mask))
+        int* seen = stackalloc int[Looks];
+        for (int from = first; from < end; from += Looks)
+        {
+            int count = Look(member, rays, from, Math.Min(from + Looks, end), seen);
+            for (int k = 0; k < count; k++)
             {
-                hits.Keep(packet, mask, t, number);
+                RayLanes<R> ray = rays.Load(seen[k]);
+                R mask = K.Intersect(shape, ray, out R t);
+                if (R.Any(mask))
+                {
+                    hits.Keep(seen[k], mask, t, number);
+                }
             }
         }
     }
@@ -72,23 +86,95 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     {
         SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
         int number = _numberOfMember[member];
+        if (K.IsConvex && rays.CommonSource == number)
+        {
+            return;
+        }
+
+        if (_isQuick[member])
+        {
+            BlockQuick(shape, number, rays, first, end);
+            return;
+        }
+
+        int* seen = stackalloc int[Looks];
+        for (int from = first; from < end; from += Looks)
+        {
+            int count = Look(member, rays, from, Math.Min(from + Looks, end), seen);
+            for (int k = 0; k < count; k++)
+            {
+                int packet = seen[k];
+                R limit = rays.Limit[packet];
+                if (R.Any(R.Less(R.Zero, limit)) && !(K.IsConvex && I.AllEqual(rays.Source[packet], number)))
+                {
+                    RayLanes<R> ray = rays.Load(packet);
+                    R mask = K.Intersect(shape, ray, out R t) & R.Less(t, limit);
+                    rays.Limit[packet] = R.Select(mask, R.Of(-1), limit);
+                }
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void NearestQuick(SharedParameters<R, F, I> shape, int number, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
+    {
+        RayColumns<R> columns = rays.Columns;
+        for (int packet = first; packet < end; packet++)
+        {
+            R mask = K.IntersectQuick(shape, columns, packet, out R t);
+            if (R.Any(mask))
+            {
+                hits.Keep(packet, mask, t, number);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void BlockQuick(SharedParameters<R, F, I> shape, int number, RayBatch<R, F, I> rays, int first, int end)
+    {
+        RayColumns<R> columns = rays.Columns;
         for (int packet = first; packet < end; packet++)
         {
             R limit = rays.Limit[packet];
-            if (!R.Any(R.Less(R.Zero, limit)) || (K.IsConvex && I.AllEqual(rays.Source[packet], number)) || !MayHit(member, rays, packet))
+            if (R.Any(R.Less(R.Zero, limit)) && !(K.IsConvex && I.AllEqual(rays.Source[packet], number)))
             {
-                continue;
+                R mask = K.IntersectQuick(shape, columns, packet, out R t) & R.Less(t, limit);
+                rays.Limit[packet] = R.Select(mask, R.Of(-1), limit);
             }
-
-            RayLanes<R> ray = rays.Load(packet);
-            R mask = K.Intersect(shape, ray, out R t) & R.Less(t, limit);
-            rays.Limit[packet] = R.Select(mask, R.Of(-1), limit);
         }
+    }
+
+    /// <summary>Lists the groups of lanes that a quick look cannot tell to miss.</summary>
+    /// <returns>How many.</returns>
+    private int Look(int member, RayBatch<R, F, I> rays, int first, int end, int* seen) => K.HasQuickLook
+        ? Look<K>(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays, first, end, seen)
+        : Look<SphereKernel>(new SharedParameters<F, F, I>(_singles, member * SphereKernel.ParameterCount), rays, first, end, seen);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static int Look<L>(SharedParameters<F, F, I> shape, RayBatch<R, F, I> rays, int first, int end, int* seen)
+        where L : struct, IShapeKernel
+    {
+        int count = 0;
+        for (int packet = first; packet < end; packet++)
+        {
+            seen[count] = packet;
+            count += F.Any(L.MayHit(shape, rays.LoadSingle(packet))) ? 1 : 0;
+        }
+
+        return count;
     }
 
     public override void Surface(
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs)
     {
+        if (K.IsSmooth && (needs & SurfaceNeeds.Sharp) == 0)
+        {
+            surfaces.SharesNormals = true;
+            int* members = _numberOfMember.Count == 1 ? null : memberOfObject;
+            hits.Refined += SmoothSurface<K>.Run<R, F, I>(rays.Columns, hits.T, hits.Object, _numbers, members, order, count, surfaces.Columns, needs);
+            return;
+        }
+
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
@@ -177,8 +263,4 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         Point3D center = box.Min + half;
         return new double[] { center.X, center.Y, center.Z, half.Length * (1 + 1e-6) };
     }
-
-    private bool MayHit(int member, RayBatch<R, F, I> rays, int packet) => K.HasQuickLook
-        ? F.Any(K.MayHit(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays.LoadSingle(packet)))
-        : F.Any(SphereKernel.MayHit(new SharedParameters<F, F, I>(_singles, member * SphereKernel.ParameterCount), rays.LoadSingle(packet)));
 }

@@ -12,12 +12,8 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
-    /// <summary>Pencils of rays that are asked together whether they may meet a mesh.</summary>
-    private const int PencilsABundle = 8;
-
     private readonly List<(TriangleMesh Mesh, Transform Transform, int Number)> _members = [];
     private MeshTree[] _trees = [];
-    private (Bounds Box, double Size)[] _boxes = [];
     private R* _transforms;
 
     public override int Add(Shape shape, Transform transform, int number)
@@ -29,7 +25,6 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     public override void Freeze(LaneMemory memory, int threads)
     {
         _trees = [.. _members.Select(member => member.Mesh.Tree(threads))];
-        _boxes = [.. _members.Select(member => Describe(member.Mesh.Bounds.Transformed(member.Transform)))];
         if (!isTransformed)
         {
             return;
@@ -47,48 +42,34 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         }
     }
 
+    [SkipLocalsInit]
     public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
     {
+        (TriangleMesh mesh, _, int number) = _members[member];
         int most = MeshPencil.PacketsOf<R>();
         PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[most];
-        for (int next; first < end; first = next)
+        for (int packet = first; packet < end; packet += most)
         {
-            next = Math.Min(first + (most * PencilsABundle), end);
-            if (!MayMeet(member, rays, hits.T, first, next))
+            int count = Math.Min(most, end - packet);
+            if (Load(member, rays, hits.T, packet, count, lanes) && !MeshPencil.Nearest(mesh.Data, _trees[member], lanes, count, hits, packet, number))
             {
-                continue;
-            }
-
-            for (int packet = first; packet < next; packet += most)
-            {
-                int count = Math.Min(most, next - packet);
-                if (Load(member, rays, hits.T, packet, count, lanes) && !MeshPencil.Nearest(_members[member].Mesh.Data, _trees[member], lanes, count, hits, packet, _members[member].Number))
-                {
-                    NearestEach(member, hits, lanes, packet, count);
-                }
+                NearestEach(member, hits, lanes, packet, count);
             }
         }
     }
 
+    [SkipLocalsInit]
     public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
     {
+        (TriangleMesh mesh, _, int number) = _members[member];
         int most = MeshPencil.PacketsOf<R>();
         PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[most];
-        for (int next; first < end; first = next)
+        for (int packet = first; packet < end; packet += most)
         {
-            next = Math.Min(first + (most * PencilsABundle), end);
-            if (!MayMeet(member, rays, rays.Limit, first, next))
+            int count = Math.Min(most, end - packet);
+            if (Load(member, rays, rays.Limit, packet, count, lanes) && !MeshPencil.Block(mesh.Data, _trees[member], lanes, count, rays, packet, number))
             {
-                continue;
-            }
-
-            for (int packet = first; packet < next; packet += most)
-            {
-                int count = Math.Min(most, next - packet);
-                if (Load(member, rays, rays.Limit, packet, count, lanes) && !MeshPencil.Block(_members[member].Mesh.Data, _trees[member], lanes, count, rays, packet, _members[member].Number))
-                {
-                    BlockEach(member, rays, lanes, packet, count);
-                }
+                BlockEach(member, rays, lanes, packet, count);
             }
         }
     }
@@ -145,21 +126,6 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
                 }
             }
         }
-    }
-
-    /// <summary>A box in the world, and the sum of its largest coordinates.</summary>
-    private static (Bounds Box, double Size) Describe(Bounds box) => (box, Math.Max(Math.Abs(box.Min.X), Math.Abs(box.Max.X)) + Math.Max(Math.Abs(box.Min.Y), Math.Abs(box.Max.Y)) + Math.Max(Math.Abs(box.Min.Z), Math.Abs(box.Max.Z)));
-
-    /// <summary>Tells whether any ray of several pencils may meet the box of a mesh; true for few rays.</summary>
-    private bool MayMeet(int member, RayBatch<R, F, I> rays, R* limits, int first, int end)
-    {
-        if (end - first <= MeshPencil.PacketsOf<R>())
-        {
-            return true;
-        }
-
-        RayBundle bundle = RayBundle.Of(rays, limits, first, end, _boxes[member].Size);
-        return !bundle.IsOff && (!bundle.IsUsable || bundle.Meets(_boxes[member].Box, out _));
     }
 
     /// <summary>Rays and limits of some groups of lanes, in object space; false if all rays are off.</summary>

@@ -3,16 +3,20 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>The formulas of <see cref="InfinitePlane"/>: a point, the unit normal, and the two axes of its local frame.</summary>
-internal readonly struct PlaneKernel : IShapeKernel
+/// <summary>The formulas of <see cref="InfinitePlane"/>: a point, the unit normal, the two axes of its local frame, and whether it is a floor.</summary>
+/// <remarks>A floor, y = c seen from above, makes most products 0 or exact: <see cref="FloorKernel"/> gives the same numbers with a quarter of the work.</remarks>
+[SkipLocalsInit]
+internal readonly unsafe struct PlaneKernel : IShapeKernel
 {
-    private const int Point = 0, Normal = 3, AxisX = 6, AxisZ = 9;
+    private const int Point = 0, Normal = 3, AxisX = 6, AxisZ = 9, Floor = 12;
 
-    public static int ParameterCount => 12;
+    public static int ParameterCount => 13;
 
     public static bool IsConvex => true;
 
     public static bool HasQuickLook => true;
+
+    public static bool IsSmooth => true;
 
     public static void Describe(Shape shape, Transform transform, Span<double> numbers)
     {
@@ -21,15 +25,36 @@ internal readonly struct PlaneKernel : IShapeKernel
         [
             plane.Point.X, plane.Point.Y, plane.Point.Z, plane.Normal.X, plane.Normal.Y, plane.Normal.Z,
             plane.LocalX.X, plane.LocalX.Y, plane.LocalX.Z, plane.LocalZ.X, plane.LocalZ.Y, plane.LocalZ.Z,
+            plane.Normal == Vector3D.UnitY && plane.LocalX == Vector3D.UnitX && plane.LocalZ == Vector3D.UnitZ ? 1 : 0,
         ];
         described.CopyTo(numbers);
     }
+
+    /// <summary>Tells whether all lanes see floors.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsFloor<R, P>(in P shape)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => R.All(R.Less(R.Zero, shape[Floor]));
+
+    public static bool IsQuick(ReadOnlySpan<double> numbers) => numbers[Floor] > 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R IntersectQuick<R, P>(in P shape, in RayColumns<R> ray, int packet, out R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => FloorKernel.Intersect(shape[Point + 1], ray.OriginY[packet], ray.DirectionY[packet], out t);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => IsFloor<R, P>(shape)
+            ? FloorKernel.Intersect(shape[Point + 1], ray.OriginY, ray.DirectionY, out t)
+            : IntersectAny(shape, ray, out t);
 
     /// <remarks>
     /// t = n.(q - o) / n.d, all of it as if with twice the digits: t is within 1 ulp also for rays that graze the plane or start near it.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static R Intersect<R, P>(in P shape, in RayLanes<R> ray, out R t)
+    private static R IntersectAny<R, P>(in P shape, in RayLanes<R> ray, out R t)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
@@ -75,31 +100,16 @@ internal readonly struct PlaneKernel : IShapeKernel
         return unsure | (F.Less(height, F.Zero) ^ F.Less(approach, F.Zero));
     }
 
-    /// <remarks>
-    /// The point relative to the plane's own point takes one more step along the ray, which removes what rounding t cost: it is accurate at any distance.
-    /// It is then put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
-    /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
         Unsafe.SkipInit(out s);
+        Reach(shape, ray, t, out R qx, out R qy, out R qz);
         s.NormalX = s.ShadingX = shape[Normal];
         s.NormalY = s.ShadingY = shape[Normal + 1];
         s.NormalZ = s.ShadingZ = shape[Normal + 2];
-        R qx = R.Fma(t, ray.DirectionX, Compensated.Difference(ray.OriginX, shape[Point], out R restX)) + restX;
-        R qy = R.Fma(t, ray.DirectionY, Compensated.Difference(ray.OriginY, shape[Point + 1], out R restY)) + restY;
-        R qz = R.Fma(t, ray.DirectionZ, Compensated.Difference(ray.OriginZ, shape[Point + 2], out R restZ)) + restZ;
-        R approach = Lane.Dot(s.NormalX, s.NormalY, s.NormalZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
-        R again = -Lane.Dot(s.NormalX, s.NormalY, s.NormalZ, qx, qy, qz) / approach;
-        qx = R.Fma(again, ray.DirectionX, qx);
-        qy = R.Fma(again, ray.DirectionY, qy);
-        qz = R.Fma(again, ray.DirectionZ, qz);
-        R off = Lane.Dot(qx, qy, qz, s.NormalX, s.NormalY, s.NormalZ);
-        qx = R.Fma(-off, s.NormalX, qx);
-        qy = R.Fma(-off, s.NormalY, qy);
-        qz = R.Fma(-off, s.NormalZ, qz);
         s.LocalX = Lane.Dot(qx, qy, qz, shape[AxisX], shape[AxisX + 1], shape[AxisX + 2]);
         s.LocalZ = Lane.Dot(qx, qy, qz, shape[AxisZ], shape[AxisZ + 1], shape[AxisZ + 2]);
         s.LocalY = s.LocalNormalX = s.LocalNormalZ = s.SurfaceU = s.SurfaceV = R.Zero;
@@ -107,8 +117,93 @@ internal readonly struct PlaneKernel : IShapeKernel
         s.PointX = shape[Point] + qx;
         s.PointY = shape[Point + 1] + qy;
         s.PointZ = shape[Point + 2] + qz;
-        s.Slack = Lane.Slack(
+        s.Slack = SlackOf(shape, qx, qy, qz);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        PositionBatch<R> p = to.Positions;
+        R localX, localZ;
+        if (IsFloor<R, P>(shape))
+        {
+            FloorKernel.Reach(shape[Point], shape[Point + 1], shape[Point + 2], ray, t, out localX, out localZ);
+            p.WorldX[packet] = shape[Point] + localX;
+            p.WorldY[packet] = shape[Point + 1];
+            p.WorldZ[packet] = shape[Point + 2] + localZ;
+            to.Slack[packet] = SlackOf(shape, localX, R.Zero, localZ);
+        }
+        else
+        {
+            Reach(shape, ray, t, out R qx, out R qy, out R qz);
+            localX = Lane.Dot(qx, qy, qz, shape[AxisX], shape[AxisX + 1], shape[AxisX + 2]);
+            localZ = Lane.Dot(qx, qy, qz, shape[AxisZ], shape[AxisZ + 1], shape[AxisZ + 2]);
+            p.WorldX[packet] = shape[Point] + qx;
+            p.WorldY[packet] = shape[Point + 1] + qy;
+            p.WorldZ[packet] = shape[Point + 2] + qz;
+            to.Slack[packet] = SlackOf(shape, qx, qy, qz);
+        }
+
+        p.WorldNormalX[packet] = shape[Normal];
+        p.WorldNormalY[packet] = shape[Normal + 1];
+        p.WorldNormalZ[packet] = shape[Normal + 2];
+        StoreLocal(p, packet, localX, localZ, needs);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreLocal<R>(in PositionBatch<R> p, int packet, R x, R z, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+    {
+        if ((needs & SurfaceNeeds.LocalPoint) != 0)
+        {
+            p.X[packet] = x;
+            p.Y[packet] = R.Zero;
+            p.Z[packet] = z;
+        }
+
+        if ((needs & SurfaceNeeds.LocalNormal) != 0)
+        {
+            p.NormalX[packet] = p.NormalZ[packet] = R.Zero;
+            p.NormalY[packet] = R.Of(1);
+        }
+
+        if ((needs & SurfaceNeeds.SurfaceCoordinates) != 0)
+        {
+            p.SurfaceU[packet] = p.SurfaceV[packet] = R.Zero;
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R SlackOf<R, P>(in P shape, R qx, R qy, R qz)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => Lane.Slack(
             R.Abs(shape[Point]) + R.Abs(shape[Point + 1]) + R.Abs(shape[Point + 2]) + R.Abs(qx) + R.Abs(qy) + R.Abs(qz));
+
+    /// <summary>The point relative to the plane's own point.</summary>
+    /// <remarks>
+    /// It takes one more step along the ray, which removes what rounding t cost: it is accurate at any distance.
+    /// It is then put back into the plane along the normal, so that y = 0 holds exactly in the local frame.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Reach<R, P>(in P shape, in RayLanes<R> ray, R t, out R qx, out R qy, out R qz)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        R nx = shape[Normal], ny = shape[Normal + 1], nz = shape[Normal + 2];
+        qx = R.Fma(t, ray.DirectionX, Compensated.Difference(ray.OriginX, shape[Point], out R restX)) + restX;
+        qy = R.Fma(t, ray.DirectionY, Compensated.Difference(ray.OriginY, shape[Point + 1], out R restY)) + restY;
+        qz = R.Fma(t, ray.DirectionZ, Compensated.Difference(ray.OriginZ, shape[Point + 2], out R restZ)) + restZ;
+        R approach = Lane.Dot(nx, ny, nz, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
+        R again = -Lane.Dot(nx, ny, nz, qx, qy, qz) / approach;
+        qx = R.Fma(again, ray.DirectionX, qx);
+        qy = R.Fma(again, ray.DirectionY, qy);
+        qz = R.Fma(again, ray.DirectionZ, qz);
+        R off = Lane.Dot(qx, qy, qz, nx, ny, nz);
+        qx = R.Fma(-off, nx, qx);
+        qy = R.Fma(-off, ny, qy);
+        qz = R.Fma(-off, nz, qz);
     }
 
     /// <remarks>

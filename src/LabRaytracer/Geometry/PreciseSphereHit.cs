@@ -4,6 +4,7 @@ namespace LabRaytracer;
 
 /// <summary>The first hit of a sphere with twice the digits.</summary>
 /// <typeparam name="R">Lane type of geometry.</typeparam>
+[SkipLocalsInit]
 internal readonly struct PreciseSphereHit<R>
     where R : unmanaged, IReal<R>
 {

@@ -24,22 +24,31 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Shadow rays that have a <see cref="Source"/>: number of its part.</summary>
     public readonly I* SourcePart;
 
-    /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow"/>. In float lanes the rays themselves.</summary>
+    /// <summary>Groups of lanes in a bundle.</summary>
+    public const int BundlePackets = 32;
+
+    /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow(int, int)"/>. In float lanes the rays themselves.</summary>
     private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
+
+    private readonly bool[] _isNarrow;
 
     /// <param name="memory">Owns the columns.</param>
     /// <param name="capacity">Most rays.</param>
     /// <param name="hasDifferentials">Whether the rays carry differentials.</param>
-    public RayBatch(LaneMemory memory, int capacity, bool hasDifferentials = false)
+    /// <param name="directions">Columns of directions that somebody else owns and writes; null for new ones.</param>
+    public RayBatch(LaneMemory memory, int capacity, bool hasDifferentials = false, VectorColumns<R>? directions = null)
     {
+        Capacity = capacity;
+        _isNarrow = new bool[(capacity / R.Width / BundlePackets) + 1];
         HasDifferentials = hasDifferentials;
         Differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
         OriginX = memory.Column<R>(capacity, R.Width);
         OriginY = memory.Column<R>(capacity, R.Width);
         OriginZ = memory.Column<R>(capacity, R.Width);
-        DirectionX = memory.Column<R>(capacity, R.Width);
-        DirectionY = memory.Column<R>(capacity, R.Width);
-        DirectionZ = memory.Column<R>(capacity, R.Width);
+        VectorColumns<R> aim = directions ?? new VectorColumns<R>(memory, capacity);
+        DirectionX = aim.X;
+        DirectionY = aim.Y;
+        DirectionZ = aim.Z;
         Limit = memory.Column<R>(capacity, R.Width);
         Source = memory.Column<I>(capacity, I.Width);
         SourcePart = memory.Column<I>(capacity, I.Width);
@@ -52,14 +61,23 @@ internal sealed unsafe class RayBatch<R, F, I>
         _directionZ = R.IsSingle ? (F*)DirectionZ : memory.Column<F>(capacity, R.Width);
     }
 
+    /// <summary>Shadow rays only: number of the object whose outer side all rays leave, or -1.</summary>
+    public int CommonSource { get; set; } = -1;
+
+    /// <summary>Bounds of each bundle of groups of lanes, by whoever makes rays of which he knows them; null where nobody does.</summary>
+    public RayBounds[]? Bounds { get; set; }
+
     /// <summary>Tells whether the rays carry differentials.</summary>
     public bool HasDifferentials { get; }
 
     /// <summary>Changes of the rays from one sample to the next ones; only there if some texture is filtered.</summary>
     public DifferentialColumns<F> Differentials { get; }
 
-    /// <summary>Directions rounded to float; written by <see cref="Narrow"/>.</summary>
+    /// <summary>Directions rounded to float; written by <see cref="Narrow(int, int)"/>.</summary>
     public VectorColumns<F> SingleDirections => new(_directionX, _directionY, _directionZ);
+
+    /// <summary>Most rays.</summary>
+    public int Capacity { get; }
 
     /// <summary>Number of rays.</summary>
     public int Count { get; set; }
@@ -83,10 +101,34 @@ internal sealed unsafe class RayBatch<R, F, I>
     public RayLanes<F> LoadSingle(int packet) => new(
         _originX[packet], _originY[packet], _originZ[packet], _directionX[packet], _directionY[packet], _directionZ[packet]);
 
-    /// <summary>Writes the rounded copies; called once all rays are set, before they are traced.</summary>
+    /// <summary>Tells that rays have been set: rounded copies are not up to date, and are written by whoever reads them.</summary>
+    public void Renew() => Array.Clear(_isNarrow);
+
+    /// <summary>Writes the rounded copies of all rays; called once all rays are set, before they are traced.</summary>
     public void Narrow()
     {
-        for (int packet = 0; !R.IsSingle && packet < Packets; packet++)
+        Renew();
+        Narrow(0, Packets);
+    }
+
+    /// <summary>Writes the rounded copies of the bundles that some groups of lanes lie in, unless they are up to date.</summary>
+    /// <param name="first">First group of lanes.</param>
+    /// <param name="end">Group of lanes after the last one.</param>
+    public void Narrow(int first, int end)
+    {
+        for (int bundle = first / BundlePackets; !R.IsSingle && bundle * BundlePackets < end; bundle++)
+        {
+            if (!_isNarrow[bundle])
+            {
+                _isNarrow[bundle] = true;
+                NarrowBundle(bundle * BundlePackets, Math.Min((bundle + 1) * BundlePackets, Packets));
+            }
+        }
+    }
+
+    private void NarrowBundle(int first, int end)
+    {
+        for (int packet = first; packet < end; packet++)
         {
             _originX[packet] = R.ToSingle(OriginX[packet]);
             _originY[packet] = R.ToSingle(OriginY[packet]);

@@ -19,9 +19,10 @@ internal readonly struct RayBundle
     private readonly BundleAxis _x, _y, _z;
     private readonly double _margin;
     private readonly double _limit;
+    private readonly double _factor;
 
-    private RayBundle(BundleAxis x, BundleAxis y, BundleAxis z, double margin, double limit) =>
-        (_x, _y, _z, _margin, _limit, IsUsable) = (x, y, z, margin, limit, true);
+    private RayBundle(BundleAxis x, BundleAxis y, BundleAxis z, double margin, double limit, double factor = 1) =>
+        (_x, _y, _z, _margin, _limit, _factor, IsUsable) = (x, y, z, margin, limit, factor, true);
 
     /// <summary>Tells whether the bounds are finite; of others nothing may be asked.</summary>
     public bool IsUsable { get; }
@@ -52,6 +53,17 @@ internal readonly struct RayBundle
         return last > 0 ? Of(numbers, last, sceneSize) : new RayBundle(default, default, default, 0, -1);
     }
 
+    /// <summary>A bundle whose bounds are known.</summary>
+    /// <param name="bounds">The bounds.</param>
+    /// <param name="sceneSize">Sum of the largest coordinates, in magnitude, of the boxes that will be asked about.</param>
+    public static RayBundle Of(in RayBounds bounds, double sceneSize)
+    {
+        BundleAxis x = Axis(bounds.LeastOrigin.X, bounds.LargestOrigin.X, bounds.LeastDirection.X, bounds.LargestDirection.X, ref sceneSize);
+        BundleAxis y = Axis(bounds.LeastOrigin.Y, bounds.LargestOrigin.Y, bounds.LeastDirection.Y, bounds.LargestDirection.Y, ref sceneSize);
+        BundleAxis z = Axis(bounds.LeastOrigin.Z, bounds.LargestOrigin.Z, bounds.LeastDirection.Z, bounds.LargestDirection.Z, ref sceneSize);
+        return double.IsFinite(sceneSize) ? new RayBundle(x, y, z, sceneSize * BoxWidening, bounds.Limit, bounds.LeastFactor * (1 - RayWidening)) : default;
+    }
+
     /// <summary>Tells whether a ray may meet a box.</summary>
     /// <param name="box">The box.</param>
     /// <param name="start">No ray meets it before this ray parameter; at least 0.</param>
@@ -67,7 +79,9 @@ internal readonly struct RayBundle
 
         // Rounded to float, it must not come after the first ray.
         start *= 1 - RayWidening;
-        return start <= end && _x.Meets(minX, maxX, end) && _y.Meets(minY, maxY, end) && _z.Meets(minZ, maxZ, end);
+        bool isInTime = start <= end;
+        start *= _factor;
+        return isInTime && _x.Meets(minX, maxX, end) && _y.Meets(minY, maxY, end) && _z.Meets(minZ, maxZ, end);
     }
 
     /// <summary>Bounds of each lane: the least numbers, then the largest ones.</summary>
@@ -132,7 +146,11 @@ internal readonly struct RayBundle
     /// <summary>One axis of the bounds, widened.</summary>
     private static unsafe BundleAxis Axis(float* numbers, int width, ref double size)
     {
-        double from = numbers[0], slowest = numbers[3 * width], to = numbers[Numbers * width], fastest = numbers[(Numbers + 3) * width];
+        return Axis(numbers[0], numbers[Numbers * width], numbers[3 * width], numbers[(Numbers + 3) * width], ref size);
+    }
+
+    private static BundleAxis Axis(double from, double to, double slowest, double fastest, ref double size)
+    {
         from -= Math.Abs(from) * RayWidening;
         to += Math.Abs(to) * RayWidening;
         size += Math.Max(Math.Abs(from), Math.Abs(to));

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>All objects of a scene: a tree over the bounded ones where there are many, one after the other where there are few.</summary>
@@ -5,6 +7,7 @@ namespace LabRaytracer;
 /// <typeparam name="F">Float lanes of the same width.</typeparam>
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
 /// <remarks>Immutable, thread safe. Groups must be frozen before the first ray.</remarks>
+[SkipLocalsInit]
 internal sealed class SceneBvh<R, F, I> : IDisposable
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
@@ -13,11 +16,8 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     /// <summary>Up to this many bounded objects, a loop over them is faster than a tree.</summary>
     private const int FewObjects = 8;
 
-    /// <summary>Fewer bounded objects are looked at by every ray: telling which rays need not costs as much.</summary>
+    /// <summary>Fewer bounded objects are looked at by every ray, unless bounds of the rays are known: finding them costs as much.</summary>
     private const int LeastBundled = 3;
-
-    /// <summary>Groups of lanes in a bundle.</summary>
-    private const int BundlePackets = 32;
 
     /// <summary>Larger coordinates would overflow in the floats of the tree.</summary>
     private const double LargestCoordinate = 1e18;
@@ -59,14 +59,7 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
         }
 
         int[] order = [.. Enumerable.Range(0, boxed.Count)];
-        if (boxed.Count < LeastBundled)
-        {
-            outside.InsertRange(0, boxed);
-            boxed.Clear();
-            boxes.Clear();
-            order = [];
-        }
-        else if (boxed.Count > FewObjects)
+        if (boxed.Count > FewObjects)
         {
             _tree = Bvh.Build(new BvhBounds([.. boxes]), new BvhCost(ItemCost: 4, MaximumLeaf: 2), threads, out order);
         }
@@ -93,16 +86,26 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     private static bool Fits(Point3D corner) =>
         Math.Abs(corner.X) <= LargestCoordinate && Math.Abs(corner.Y) <= LargestCoordinate && Math.Abs(corner.Z) <= LargestCoordinate;
 
-    private unsafe void Run(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
+    private void Run(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
     {
         foreach (BvhSceneEntry<R, F, I> entry in _outside)
         {
-            entry.Visit(rays, hits, firstPacket, endPacket);
+            Visit(entry, rays, hits, firstPacket, endPacket);
         }
 
-        for (int first = firstPacket; first < endPacket && _inside.Length > 0; first += BundlePackets)
+        if (_inside.Length < LeastBundled && (!_usesBundles || rays.Bounds is null))
         {
-            RunBundle(rays, hits, first, Math.Min(first + BundlePackets, endPacket));
+            foreach (BvhSceneEntry<R, F, I> entry in _inside)
+            {
+                Visit(entry, rays, hits, firstPacket, endPacket);
+            }
+
+            return;
+        }
+
+        for (int first = firstPacket; first < endPacket && _inside.Length > 0; first += RayBatch<R, F, I>.BundlePackets)
+        {
+            RunBundle(rays, hits, first, Math.Min(first + RayBatch<R, F, I>.BundlePackets, endPacket));
         }
     }
 
@@ -110,25 +113,72 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     private unsafe void RunBundle(RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
     {
         R* limits = hits == null ? rays.Limit : hits.T;
-        RayBundle bundle = RayBundle.Of(rays, limits, firstPacket, endPacket, _search.Size);
-        if (bundle.IsOff)
+        RayBundle bundle;
+        if (rays.Bounds is { } bounds && _usesBundles && firstPacket % RayBatch<R, F, I>.BundlePackets == 0)
+        {
+            bundle = RayBundle.Of(bounds[firstPacket / RayBatch<R, F, I>.BundlePackets], _search.Size);
+        }
+        else
+        {
+            rays.Narrow(firstPacket, endPacket);
+            bundle = RayBundle.Of(rays, limits, firstPacket, endPacket, _search.Size);
+        }
+
+        if (bundle.IsUsable && bundle.IsOff)
         {
             return;
         }
 
         BundleCandidate* candidates = stackalloc BundleCandidate[BundleSearch.Most];
         int count = _usesBundles ? _search.Find(bundle, candidates) : -1;
+        if (count != 0)
+        {
+            rays.Narrow(firstPacket, endPacket);
+        }
+
+        for (int packet = firstPacket; packet < endPacket && count < 0; packet++)
+        {
+            RunPacket(rays, hits, packet);
+        }
+
+        for (int k = 0; k < count; k++)
+        {
+            Visit(_inside[candidates[k].Place], rays, hits, limits, candidates[k].Start, firstPacket, endPacket);
+        }
+    }
+
+    private static void Visit(in BvhSceneEntry<R, F, I> entry, RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
+    {
+        if (entry.Group.ReadsSingles)
+        {
+            rays.Narrow(firstPacket, endPacket);
+        }
+
+        entry.Visit(rays, hits, firstPacket, endPacket);
+    }
+
+    /// <summary>Looks at an object for the groups of lanes of a bundle that reach to where it may be met; neighbours at once.</summary>
+    private static unsafe void Visit(
+        in BvhSceneEntry<R, F, I> entry, RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, R* limits, double start, int firstPacket, int endPacket)
+    {
+        R nearest = R.Of(start);
+        int first = firstPacket;
         for (int packet = firstPacket; packet < endPacket; packet++)
         {
-            if (count < 0)
+            if (!R.Any(R.LessOrEqual(nearest, limits[packet])))
             {
-                RunPacket(rays, hits, packet);
-            }
+                if (first < packet)
+                {
+                    entry.Visit(rays, hits, first, packet);
+                }
 
-            for (int k = 0; k < count && R.Any(R.LessOrEqual(R.Of(candidates[k].Start), limits[packet])); k++)
-            {
-                _inside[candidates[k].Place].Visit(rays, hits, packet, packet + 1);
+                first = packet + 1;
             }
+        }
+
+        if (first < endPacket)
+        {
+            entry.Visit(rays, hits, first, endPacket);
         }
     }
 

@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>The formulas of <see cref="Sphere"/>: centre x, y, z and radius.</summary>
-internal readonly struct SphereKernel : IShapeKernel
+[SkipLocalsInit]
+internal readonly unsafe partial struct SphereKernel : IShapeKernel
 {
     private const int CenterX = 0, CenterY = 1, CenterZ = 2, Radius = 3;
 
@@ -13,6 +14,8 @@ internal readonly struct SphereKernel : IShapeKernel
     public static bool IsConvex => true;
 
     public static bool HasQuickLook => true;
+
+    public static bool IsSmooth => true;
 
     public static bool IsCurved => true;
 
@@ -35,7 +38,7 @@ internal readonly struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R near = centred.K + (step - half);
@@ -52,7 +55,7 @@ internal readonly struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
@@ -97,25 +100,71 @@ internal readonly struct SphereKernel : IShapeKernel
         return ~(passesBy | isBehind);
     }
 
-    /// <remarks>
-    /// The local point is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
-    /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
-    /// Grazing hits, where half the chord has lost digits, are computed with twice the digits: t within 2.5 units of 2^-53, the point within 3 such units of the radius.
-    /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
+        Reach(shape, ray, ref t, out R x, out R y, out R z);
+        Place(shape, x, y, z, out s);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        Reach(shape, ray, ref t, out R x, out R y, out R z);
+        PositionBatch<R> p = to.Positions;
+        to.Slack[packet] = SlackOf<R, P>(shape);
+        R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z)), radius = shape[Radius];
+        StoreAxis(p.WorldX, p.WorldNormalX, p.X, p.NormalX, packet, x * toUnit, radius, shape[CenterX], needs);
+        StoreAxis(p.WorldY, p.WorldNormalY, p.Y, p.NormalY, packet, y * toUnit, radius, shape[CenterY], needs);
+        StoreAxis(p.WorldZ, p.WorldNormalZ, p.Z, p.NormalZ, packet, z * toUnit, radius, shape[CenterZ], needs);
+        if ((needs & SurfaceNeeds.SurfaceCoordinates) != 0)
+        {
+            p.SurfaceU[packet] = p.SurfaceV[packet] = R.Zero;
+        }
+    }
+
+    /// <summary>One coordinate of the surface in all its columns.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreAxis<R>(R* point, R* normal, R* local, R* localNormal, int packet, R unit, R radius, R center, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+    {
+        point[packet] = R.Fma(radius, unit, center);
+        normal[packet] = unit;
+        if ((needs & SurfaceNeeds.LocalPoint) != 0)
+        {
+            local[packet] = unit;
+        }
+
+        if ((needs & SurfaceNeeds.LocalNormal) != 0)
+        {
+            localNormal[packet] = unit;
+        }
+    }
+
+    /// <summary>The point relative to the centre, not yet put back onto the sphere.</summary>
+    /// <remarks>
+    /// It is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
+    /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
+    /// Grazing hits, where half the chord has lost digits, are computed with twice the digits: t within 2.5 units of 2^-53, the point within 3 such units of the radius.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Reach<R, P>(in P shape, in RayLanes<R> ray, ref R t, out R x, out R y, out R z)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
         R radius = shape[Radius];
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R nearIsAhead = R.Less(R.Zero, centred.K + (step - half));
         R isNear = nearIsAhead & R.LessOrEqual(t, centred.K + step);
         R along = step + R.Select(isNear, -half, half);
-        R x = R.Fma(along, centred.DirectionX, centred.X);
-        R y = R.Fma(along, centred.DirectionY, centred.Y);
-        R z = R.Fma(along, centred.DirectionZ, centred.Z);
+        x = R.Fma(along, centred.DirectionX, centred.X);
+        y = R.Fma(along, centred.DirectionY, centred.Y);
+        z = R.Fma(along, centred.DirectionZ, centred.Z);
         R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
         if (R.Any(isRoughT))
         {
@@ -131,8 +180,6 @@ internal readonly struct SphereKernel : IShapeKernel
             y = R.Select(isRough, precise.Y, y);
             z = R.Select(isRough, precise.Z, z);
         }
-
-        Place(shape, x, y, z, out s);
     }
 
     /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>
@@ -141,7 +188,7 @@ internal readonly struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R> centred = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ]);
+        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
         PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], shape[Radius], centred.K);
         t = R.Select(precise.IsHit, precise.T, t);
         for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)
@@ -174,8 +221,13 @@ internal readonly struct SphereKernel : IShapeKernel
         s.PointX = R.Fma(radius, s.LocalX, shape[CenterX]);
         s.PointY = R.Fma(radius, s.LocalY, shape[CenterY]);
         s.PointZ = R.Fma(radius, s.LocalZ, shape[CenterZ]);
-        s.Slack = Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + radius);
+        s.Slack = SlackOf<R, P>(shape);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R SlackOf<R, P>(in P shape)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => Lane.Slack(R.Abs(shape[CenterX]) + R.Abs(shape[CenterY]) + R.Abs(shape[CenterZ]) + shape[Radius]);
 
     /// <summary>Half the chord in units of the direction (0 for a miss) around l + step d; returns the squared half chord in object units, below 0 for a miss.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -189,52 +241,6 @@ internal readonly struct SphereKernel : IShapeKernel
         R discriminant = R.Fma(radius, radius, -distanceSquared);
         half = R.Sqrt(R.Max(discriminant * ray.InverseLengthSquared, R.Zero));
         return discriminant;
-    }
-
-    /// <summary>Mask: the discriminant, or the product of both ray parameters (how far outside the ray starts), is too near 0 for its sign to be certain.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static R IsClose<R>(in CentredRay<R> ray, R radius, R discriminant, R near, R far)
-        where R : unmanaged, IReal<R>
-    {
-        R unit = radius * radius * R.Of(R.IsSingle ? 16.0 / (1 << 24) : 16.0 / (1L << 53));
-        R start = R.Abs(near * far);
-        return R.LessOrEqual(R.Abs(discriminant), unit) | R.LessOrEqual(start, unit * ray.InverseLengthSquared);
-    }
-
-    /// <summary>Mask: half the chord is so short that its error shows in the point, the ray starts so near that it shows in t, or the decision was close.</summary>
-    /// <param name="ray">Rays from their points nearest to the centre.</param>
-    /// <param name="radius">Radius.</param>
-    /// <param name="discriminant">Squared half chord, object units.</param>
-    /// <param name="step">From l to the middle of the chord.</param>
-    /// <param name="half">Half the chord in units of the direction.</param>
-    /// <param name="isRoughT">Mask: its error shows in t alone, or in both, and the ray starts far enough.</param>
-    /// <remarks>
-    /// The error of half the chord is a few units of r^2 / half. Up to r^2 / half = t it keeps t within 2.5 units; up to half = r / 20 it keeps the point within
-    /// 1e-11 texel of a picture 8192 texels wide. The masks depend on nothing but the ray and the shape, so that whoever asks gets the same answer.
-    /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static R IsRough<R>(in CentredRay<R> ray, R radius, R discriminant, R step, R half, out R isRoughT)
-        where R : unmanaged, IReal<R>
-    {
-        R near = ray.K + (step - half), far = ray.K + (step + half);
-        R t = R.Abs(R.Select(R.Less(R.Zero, near), near, far));
-        R square = radius * radius * ray.InverseLengthSquared;
-
-        // From within one and a half chords of the hit, the error of half the chord is a larger part of t.
-        isRoughT = R.Less(half * R.Select(R.Less(t, R.Of(3) * half), R.Of(0.5) * t, t), square);
-        R isFine = R.LessOrEqual(square, R.Of(400) * half * half) & (R.LessOrEqual(square, R.Of(0.25) * t * t) | ~isRoughT);
-        return ~isFine | IsClose(ray, radius, discriminant, near, far);
-    }
-
-    /// <summary>Hit or miss, and t, of the lanes of a mask with twice the digits; the others stay.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static R Decide<R, P>(in P shape, in RayLanes<R> ray, in R k, in R mask, in R hit, ref R t)
-        where R : unmanaged, IReal<R>
-        where P : struct, IParameters<R>
-    {
-        PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], shape[Radius], k);
-        t = R.Select(mask, precise.T, t);
-        return R.Select(mask, precise.IsHit, hit);
     }
 
     public static void LocalFrame<R, P>(in P shape, out LinearLanes<R> frame)

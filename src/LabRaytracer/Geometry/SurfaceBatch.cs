@@ -17,8 +17,7 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
     /// <summary>Outward geometric normal, world space, length 1.</summary>
     public readonly R* NormalX, NormalY, NormalZ;
 
-    /// <summary>Normal for shading, world space, length 1.</summary>
-    public readonly R* ShadingX, ShadingY, ShadingZ;
+    private readonly R* _shadingX, _shadingY, _shadingZ;
 
     /// <summary>Bound of the error of each coordinate of the point, world space.</summary>
     public readonly R* Slack;
@@ -35,9 +34,9 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
         NormalX = Column();
         NormalY = Column();
         NormalZ = Column();
-        ShadingX = Column();
-        ShadingY = Column();
-        ShadingZ = Column();
+        _shadingX = Column();
+        _shadingY = Column();
+        _shadingZ = Column();
         Slack = Column();
         Positions = new PositionBatch<R>
         {
@@ -47,6 +46,33 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
             WorldNormalX = NormalX, WorldNormalY = NormalY, WorldNormalZ = NormalZ,
             SurfaceU = Column(), SurfaceV = Column(),
         };
+    }
+
+    /// <summary>Tells whether normals for shading are the geometric ones: then both are the same columns.</summary>
+    public bool SharesNormals { get; set; }
+
+    /// <summary>Normal for shading, world space, length 1.</summary>
+    public R* ShadingX => SharesNormals ? NormalX : _shadingX;
+
+    /// <summary>Normal for shading, world space, length 1.</summary>
+    public R* ShadingY => SharesNormals ? NormalY : _shadingY;
+
+    /// <summary>Normal for shading, world space, length 1.</summary>
+    public R* ShadingZ => SharesNormals ? NormalZ : _shadingZ;
+
+    /// <summary>The columns that kernels write themselves.</summary>
+    public SurfaceColumns<R> Columns => new() { Positions = Positions, Slack = Slack };
+
+    /// <summary>Gives the normals for shading columns of their own, because they are about to be tilted.</summary>
+    public void SeparateNormals(int packets)
+    {
+        if (SharesNormals)
+        {
+            new ReadOnlySpan<R>(NormalX, packets).CopyTo(new Span<R>(_shadingX, packets));
+            new ReadOnlySpan<R>(NormalY, packets).CopyTo(new Span<R>(_shadingY, packets));
+            new ReadOnlySpan<R>(NormalZ, packets).CopyTo(new Span<R>(_shadingZ, packets));
+            SharesNormals = false;
+        }
     }
 
     /// <summary>Writes one group of lanes.</summary>
@@ -62,9 +88,10 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
         NormalX[packet] = s.NormalX;
         NormalY[packet] = s.NormalY;
         NormalZ[packet] = s.NormalZ;
-        ShadingX[packet] = s.ShadingX;
-        ShadingY[packet] = s.ShadingY;
-        ShadingZ[packet] = s.ShadingZ;
+        SharesNormals = false;
+        _shadingX[packet] = s.ShadingX;
+        _shadingY[packet] = s.ShadingY;
+        _shadingZ[packet] = s.ShadingZ;
         Slack[packet] = s.Slack;
         if ((needs & SurfaceNeeds.LocalPoint) != 0)
         {
@@ -100,7 +127,8 @@ internal sealed unsafe class SurfaceBatch<R, F, I>
 
         Put(element, PointX, PointY, PointZ, s.PointX, s.PointY, s.PointZ);
         Put(element, NormalX, NormalY, NormalZ, s.NormalX, s.NormalY, s.NormalZ);
-        Put(element, ShadingX, ShadingY, ShadingZ, s.ShadingX, s.ShadingY, s.ShadingZ);
+        SharesNormals = false;
+        Put(element, _shadingX, _shadingY, _shadingZ, s.ShadingX, s.ShadingY, s.ShadingZ);
         Put(element, Positions.X, Positions.Y, Positions.Z, s.LocalX, s.LocalY, s.LocalZ);
         Put(element, Positions.NormalX, Positions.NormalY, Positions.NormalZ, s.LocalNormalX, s.LocalNormalY, s.LocalNormalZ);
         R.Put(Positions.SurfaceU, element, s.SurfaceU.Value);

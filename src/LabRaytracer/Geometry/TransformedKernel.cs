@@ -5,6 +5,7 @@ namespace LabRaytracer;
 /// <summary>A kernel behind a transform: rays go to object space, surfaces come back to world space.</summary>
 /// <typeparam name="K">The kernel in object space.</typeparam>
 /// <remarks>The numbers of <see cref="WorldSpace"/>, then the shape's own.</remarks>
+[SkipLocalsInit]
 internal readonly struct TransformedKernel<K> : IShapeKernel
     where K : struct, IShapeKernel
 {

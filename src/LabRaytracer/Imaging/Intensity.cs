@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>A colour as linear RGB light (Polish: natężenie): three floats, never clamped.</summary>
@@ -29,18 +31,23 @@ public readonly record struct Intensity(float R, float G, float B)
     public static Intensity Grey(float value) => new(value, value, value);
 
     /// <summary>Sum of two colours (light adds).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Intensity operator +(Intensity a, Intensity b) => new(a.R + b.R, a.G + b.G, a.B + b.B);
 
     /// <summary>Difference of two colours, component by component; may be negative.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Intensity operator -(Intensity a, Intensity b) => new(a.R - b.R, a.G - b.G, a.B - b.B);
 
     /// <summary>Product component by component (a filter or a reflectance).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Intensity operator *(Intensity a, Intensity b) => new(a.R * b.R, a.G * b.G, a.B * b.B);
 
     /// <summary>The colour scaled by a factor.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Intensity operator *(Intensity a, float factor) => new(a.R * factor, a.G * factor, a.B * factor);
 
     /// <summary>The colour scaled by a factor.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Intensity operator *(float factor, Intensity a) => a * factor;
 
     /// <summary>Linear interpolation: <paramref name="a"/> at 0, <paramref name="b"/> at 1; the factor is not clamped.</summary>

@@ -23,11 +23,31 @@ internal static unsafe class LightFormulas
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
+        // Eight doubles are two registers of which there are few: half as many lanes at a time stay in them.
+        if (typeof(R) == typeof(Double8))
+        {
+            Each<TFormula, Double4, Float4, Int4>(
+                formula, (Double4*)surfaces.PointX, (Double4*)surfaces.PointY, (Double4*)surfaces.PointZ,
+                Unsafe.As<LightColumns<R, F>, LightColumns<Double4, Float4>>(ref Unsafe.AsRef(in samples)), 2 * packets);
+        }
+        else
+        {
+            Each<TFormula, R, F, I>(formula, surfaces.PointX, surfaces.PointY, surfaces.PointZ, samples, packets);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Each<TFormula, R, F, I>(TFormula formula, R* x, R* y, R* z, in LightColumns<R, F> samples, int packets)
+        where TFormula : struct, ILightFormula
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
         LightColumns<R, F> columns = samples;
         F red = F.Of(formula.Intensity.R), green = F.Of(formula.Intensity.G), blue = F.Of(formula.Intensity.B);
         for (int packet = 0; packet < packets; packet++)
         {
-            formula.Sample(surfaces.PointX[packet], surfaces.PointY[packet], surfaces.PointZ[packet], out LightLanes<R> s);
+            formula.Sample(x[packet], y[packet], z[packet], out LightLanes<R> s);
             columns.DirectionX[packet] = s.DirectionX;
             columns.DirectionY[packet] = s.DirectionY;
             columns.DirectionZ[packet] = s.DirectionZ;

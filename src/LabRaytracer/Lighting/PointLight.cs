@@ -47,7 +47,10 @@ public sealed class PointLight : Light, IWideLight
             where R : unmanaged, IReal<R>
         {
             R away = LightFormulas.Towards(Position, x, y, z, out sample);
-            sample.Share = away & LightFormulas.Fade(Attenuation, sample.Distance);
+            if (!Attenuation.IsNone)
+            {
+                sample.Share = away & LightFormulas.Fade(Attenuation, sample.Distance);
+            }
         }
     }
 }

@@ -49,6 +49,24 @@ internal static class PointFormulas
         where TFormula : struct, IPointFormula
         where R : unmanaged, IReal<R>
     {
+        // Eight doubles are two registers of which there are few: half as many lanes at a time stay in them.
+        if (typeof(R) == typeof(Double8))
+        {
+            Each<TFormula, Double4>(
+                Unsafe.As<PositionBatch<R>, PositionBatch<Double4>>(ref Unsafe.AsRef(in positions)),
+                Unsafe.As<CoordinateBatch<R>, CoordinateBatch<Double4>>(ref Unsafe.AsRef(in coordinates)),
+                2 * packets);
+            return;
+        }
+
+        Each<TFormula, R>(positions, coordinates, packets);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static unsafe void Each<TFormula, R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets)
+        where TFormula : struct, IPointFormula
+        where R : unmanaged, IReal<R>
+    {
         PositionBatch<R> points = positions;
         CoordinateBatch<R> results = coordinates;
         for (int i = 0; i < packets; i++)

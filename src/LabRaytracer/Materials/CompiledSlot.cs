@@ -12,6 +12,9 @@ internal readonly record struct CompiledSlot(Intensity Value, int Lookup, BlendM
     /// <summary>Tells whether the coefficient is zero everywhere: whatever it multiplies is not computed.</summary>
     public bool IsBlack => Lookup < 0 && Value == Intensity.Black;
 
+    /// <summary>Tells whether the coefficient is a constant, or a constant times the looked-up colour.</summary>
+    public bool IsPlain => Lookup < 0 || (Blend == BlendMode.Multiply && Amount == 1);
+
     /// <summary>The coefficient of one group of lanes: <see cref="TextureSlot.Apply"/> with the same bits.</summary>
     /// <param name="colors">Colours of all lookups of the material.</param>
     /// <param name="packet">Group of lanes.</param>

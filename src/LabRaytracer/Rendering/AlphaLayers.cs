@@ -85,7 +85,7 @@ internal sealed unsafe class AlphaLayers<R, F, I>
     public bool Next()
     {
         Hits.Clear(Rays);
-        Rays.Narrow();
+        Rays.Renew();
         _surfaces.Nearest(Rays, Hits, 0, Rays.Packets);
         Groups.Sort(Rays, Hits);
         bool any = false;

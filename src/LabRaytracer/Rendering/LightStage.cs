@@ -1,10 +1,10 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
 /// <summary>Lamps and shadows of a group of hits.</summary>
-internal sealed unsafe class LightStage<R, F, I>(
+[SkipLocalsInit]
+internal sealed unsafe partial class LightStage<R, F, I>(
     CompiledScene<R, F, I> scene,
     ShadingBuffers<R, F, I> buffers,
     LampSampler<R, F, I> lamps,
@@ -44,6 +44,12 @@ internal sealed unsafe class LightStage<R, F, I>(
         ColorColumns<F> radiance = buffers.Radiance;
         bool hasEvenSky = scene.EvenSky != Intensity.Black && !material.Diffuse.IsBlack;
         bool hasAmbient = scene.Ambient != Intensity.Black && !material.Ambient.IsBlack;
+        if (hasAmbient && !hasEvenSky && MatteLight.IsEvenlyPlain(material))
+        {
+            MatteLight.Begin(material, scene.Ambient, buffers, packets);
+            return;
+        }
+
         bool emitsFromFrontOnly = material.Material.EmitsFromFrontOnly;
         CompiledSlot emission = material.Emission, ambient = material.Ambient, diffuse = material.Diffuse;
         for (int packet = 0; packet < packets; packet++)
@@ -118,6 +124,7 @@ internal sealed unsafe class LightStage<R, F, I>(
         {
             lamps.Sample(lamp, sample, count, packets);
             AimShadowRays(packets, count);
+            buffers.ShadowRays.Bounds = scene.IsSkipping ? _bounds.Find(scene.Lights[lamp]) : null;
             tally?.Add(buffers.ShadowRays, order, count);
             if (scene.Lights[lamp].CastsShadows)
             {
@@ -137,58 +144,14 @@ internal sealed unsafe class LightStage<R, F, I>(
         }
     }
 
-    /// <summary>Mask of the hits that a lamp can light.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private R IsReached(int packet)
-    {
-        SurfaceBatch<R, F, I> s = buffers.Surfaces;
-        LightColumns<R, F> light = buffers.Light;
-        R lx = light.DirectionX[packet], ly = light.DirectionY[packet], lz = light.DirectionZ[packet];
-        R geometric = Lane.Dot(s.NormalX[packet], s.NormalY[packet], s.NormalZ[packet], lx, ly, lz);
-        R shading = Lane.Dot(s.ShadingX[packet], s.ShadingY[packet], s.ShadingZ[packet], lx, ly, lz);
-        F most = F.Max(light.Intensity.R[packet], F.Max(light.Intensity.G[packet], light.Intensity.B[packet]));
-        return R.Less(R.Zero, geometric) & R.Less(R.Zero, shading) & R.MaskFromSingle(F.Less(F.Zero, most));
-    }
-
-    /// <summary>Turns off the shadow rays that were only followed because nothing is skipped.</summary>
-    private void Forget(int packets)
-    {
-        R* limit = buffers.ShadowRays.Limit;
-        for (int packet = 0; packet < packets; packet++)
-        {
-            limit[packet] = R.Select(IsReached(packet), limit[packet], R.Of(-1));
-        }
-    }
-
-    /// <summary>Rays from outside the hit's slack to the lamp; off where the surface faces away or no light arrives.</summary>
-    private void AimShadowRays(int packets, int count)
-    {
-        RayBatch<R, F, I> rays = buffers.ShadowRays;
-        SurfaceBatch<R, F, I> s = buffers.Surfaces;
-        LightColumns<R, F> light = buffers.Light;
-        rays.Count = packets * R.Width;
-        int aimed = 0;
-        for (int packet = 0; packet < packets; packet++)
-        {
-            R lit = scene.IsSkipping ? IsReached(packet) : R.True;
-            R slack = s.Slack[packet];
-            rays.OriginX[packet] = R.Fma(slack, s.NormalX[packet], s.PointX[packet]);
-            rays.OriginY[packet] = R.Fma(slack, s.NormalY[packet], s.PointY[packet]);
-            rays.OriginZ[packet] = R.Fma(slack, s.NormalZ[packet], s.PointZ[packet]);
-            rays.DirectionX[packet] = light.DirectionX[packet];
-            rays.DirectionY[packet] = light.DirectionY[packet];
-            rays.DirectionZ[packet] = light.DirectionZ[packet];
-            rays.Limit[packet] = R.Select(lit, light.Distance[packet], R.Of(-1));
-            uint live = R.Bits(lit);
-            aimed += BitOperations.PopCount(packet == packets - 1 ? live & Tail(count) : live);
-        }
-
-        counters.ShadowRays += aimed;
-        counters.ShadowRaysSkipped += count - aimed;
-    }
-
     private void Add(CompiledMaterial material, int packets, int count)
     {
+        if (MatteLight.IsMatte(material))
+        {
+            MatteLight.Add(material, buffers, packets);
+            return;
+        }
+
         IShader shader = material.Material.Shader;
         if (shader is not IWideShader wide)
         {
@@ -207,7 +170,7 @@ internal sealed unsafe class LightStage<R, F, I>(
                 continue;
             }
 
-            ShaderLanes<F> point = Describe(material, packet);
+            Describe(material, packet, out ShaderLanes<F> point);
             F red, green, blue;
             if (isPhong)
             {
@@ -226,11 +189,11 @@ internal sealed unsafe class LightStage<R, F, I>(
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private ShaderLanes<F> Describe(CompiledMaterial material, int packet)
+    private void Describe(CompiledMaterial material, int packet, out ShaderLanes<F> point)
     {
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
         LightColumns<R, F> light = buffers.Light;
-        ShaderLanes<F> point = default;
+        Unsafe.SkipInit(out point);
         material.Diffuse.Read(buffers.Texels, packet, out point.DiffuseR, out point.DiffuseG, out point.DiffuseB);
         point.NormalX = R.ToSingle(s.ShadingX[packet]);
         point.NormalY = R.ToSingle(s.ShadingY[packet]);
@@ -246,8 +209,11 @@ internal sealed unsafe class LightStage<R, F, I>(
             point.ViewY = R.ToSingle(-buffers.DirectionY[packet]);
             point.ViewZ = R.ToSingle(-buffers.DirectionZ[packet]);
         }
-
-        return point;
+        else
+        {
+            point.SpecularR = point.SpecularG = point.SpecularB = point.Shininess = F.Zero;
+            point.ViewX = point.ViewY = point.ViewZ = F.Zero;
+        }
     }
 
     /// <summary>A lighting model that only knows one point at a time.</summary>
@@ -282,7 +248,4 @@ internal sealed unsafe class LightStage<R, F, I>(
     }
 
     private static Intensity At(F red, F green, F blue, int lane) => new((float)F.Get(red, lane), (float)F.Get(green, lane), (float)F.Get(blue, lane));
-
-    /// <summary>Bits of the lanes of the last group that hold hits.</summary>
-    private static uint Tail(int count) => count % R.Width == 0 ? uint.MaxValue : (1u << (count % R.Width)) - 1;
 }

@@ -62,6 +62,7 @@ internal sealed unsafe class ReliefStage<R, F, I>
             FootprintStage.Map(material.Coordinates[relief.BumpCoordinates], narrow, _buffers.Surfaces, _slopes, relief.BumpCoordinates, count);
         }
 
+        _buffers.Surfaces.SeparateNormals(packets);
         for (int packet = 0; packet < packets; packet++)
         {
             F tilted = F.Zero;

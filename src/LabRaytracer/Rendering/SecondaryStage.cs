@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Reflected and refracted rays of a group of hits (Whitted 1980).</summary>
+[SkipLocalsInit]
 internal sealed unsafe class SecondaryStage<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>

@@ -13,8 +13,8 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
     public ShadingBuffers(CompiledScene<R, F, I> scene, LaneMemory memory, int capacity, bool hasFootprints)
     {
         Surfaces = new SurfaceBatch<R, F, I>(memory, capacity);
-        ShadowRays = new RayBatch<R, F, I>(memory, capacity);
         Light = new LightColumns<R, F>(memory, capacity);
+        ShadowRays = new RayBatch<R, F, I>(memory, capacity, directions: new VectorColumns<R>(Light.DirectionX, Light.DirectionY, Light.DirectionZ));
         Radiance = new ColorColumns<F>(memory, capacity);
         DirectionX = memory.Column<R>(capacity, R.Width);
         DirectionY = memory.Column<R>(capacity, R.Width);
@@ -63,7 +63,7 @@ internal sealed unsafe class ShadingBuffers<R, F, I>
     /// <summary>Light of the current lamp.</summary>
     public LightColumns<R, F> Light { get; }
 
-    /// <summary>Rays towards the current lamp.</summary>
+    /// <summary>Rays towards the current lamp; their directions are those of its light.</summary>
     public RayBatch<R, F, I> ShadowRays { get; }
 
     /// <summary>Light that leaves the hits towards the viewer.</summary>

@@ -63,7 +63,7 @@ internal static unsafe class TextureStage
                 lookups.WorldFootprints = buffers.Footprints!.World;
             }
 
-            lookup.Sampler!.Sample<R, F, I>(lookups, buffers.Texels[k], packets);
+            Sample<R, F, I>(lookup.Sampler!, lookups, buffers.Texels[k], packets);
             if (lookup.Alpha >= 0)
             {
                 Divide(buffers.Texels[k], buffers.Texels[lookup.Alpha], packets);
@@ -77,6 +77,26 @@ internal static unsafe class TextureStage
 
         counters.TextureLookups += (long)count * material.Lookups.Count;
         counters.Charge(RenderStage.Texture);
+    }
+
+    /// <summary>Looks a texture up; the usual samplers are called directly: a virtual generic method is looked up at each call.</summary>
+    private static void Sample<R, F, I>(TextureSampler sampler, in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        switch (sampler)
+        {
+            case PictureSampler<Linear8Reader> linear:
+                linear.Run<R, F, I>(lookups, colors, packets);
+                break;
+            case PictureSampler<Table8Reader> encoded:
+                encoded.Run<R, F, I>(lookups, colors, packets);
+                break;
+            default:
+                sampler.Sample<R, F, I>(lookups, colors, packets);
+                break;
+        }
     }
 
     /// <summary>Colours that were multiplied by alpha, straight again; black where nothing is there.</summary>
@@ -118,7 +138,16 @@ internal static unsafe class TextureStage
     public static void Map<R>(in CompiledCoordinates set, in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int count, int packets)
         where R : unmanaged, IReal<R>
     {
-        if (set.Mapping is IWideMapping wide)
+        // The usual mappings are called directly: a virtual generic method is looked up at each call.
+        if (set.Mapping is SphericalMapping)
+        {
+            PointFormulas.Map<SphericalMapping.Formula, R>(positions, coordinates, packets);
+        }
+        else if (set.Mapping is RectangularMapping)
+        {
+            PointFormulas.Map<RectangularMapping.Formula, R>(positions, coordinates, packets);
+        }
+        else if (set.Mapping is IWideMapping wide)
         {
             wide.Map(positions, coordinates, packets);
         }

@@ -111,6 +111,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
             R.Put(_rays.Limit, i, double.PositiveInfinity);
         }
 
+        _grid = null;
         _sampling?.StartSample(0);
         _rays.Count = _slotCount;
         if (_slotCount > 0)

@@ -63,6 +63,8 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
             R.Put(_pixelX, i, x);
             R.Put(_pixelY, i, y);
         }
+
+        FindRectangles();
     }
 
     /// <summary>Counts and times of this worker.</summary>
@@ -134,74 +136,6 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private static int Number(int x, int y) =>
         (((((y / Block) * (Side / Block)) + (x / Block)) * Block) + (y % Block)) * Block + (x % Block);
 
-    /// <summary>Camera rays of one sample of every pixel; pixels outside the picture are off.</summary>
-    private void Aim(int x, int y, int sample)
-    {
-        if (_places.IsSame)
-        {
-            PlaceSamples(x + _places.At(x, y, sample, 0), y + _places.At(x, y, sample, 1));
-        }
-        else
-        {
-            for (int i = 0; i < Pixels; i++)
-            {
-                (int px, int py) = Place(i);
-                R.Put(_sampleX, i, x + px + _places.At(x + px, y + py, sample, 0));
-                R.Put(_sampleY, i, y + py + _places.At(x + px, y + py, sample, 1));
-            }
-        }
-
-        AimSamples(x, y);
-    }
-
-    /// <summary>Puts the samples at the same place in all pixels.</summary>
-    private void PlaceSamples(double startX, double startY)
-    {
-        R left = R.Of(startX), top = R.Of(startY);
-        for (int packet = 0; packet < Pixels / R.Width; packet++)
-        {
-            _sampleX[packet] = _pixelX[packet] + left;
-            _sampleY[packet] = _pixelY[packet] + top;
-        }
-    }
-
-    private void AimSamples(int x, int y)
-    {
-        _rays.Count = Pixels;
-        AimCamera(_options.Samples);
-        R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
-        for (int packet = 0; packet < Pixels / R.Width; packet++)
-        {
-            R inside = R.Less(_pixelX[packet], right) & R.Less(_pixelY[packet], bottom);
-            _rays.Limit[packet] = R.Select(inside, R.Of(double.PositiveInfinity), R.Of(-1));
-        }
-    }
-
-    /// <param name="samples">Samples of a pixel; their footprints share it.</param>
-    private void AimCamera(int samples)
-    {
-        AimRays();
-        _lens?.Run(_rays, _sampleX, _sampleY, _options);
-        if (_rays.HasDifferentials)
-        {
-            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options, samples);
-        }
-    }
-
-    private void AimRays()
-    {
-        if (_scene.Camera is IWideCamera wide)
-        {
-            wide.Rays(_sampleX, _sampleY, _rays.Columns, _rays.Packets, _options.Width, _options.Height);
-            return;
-        }
-
-        for (int i = 0; _lens is null && i < _rays.Count; i++)
-        {
-            _rays.Set(i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
-        }
-    }
-
     private void TracePrimary()
     {
         if (!_hasPrimaryOrder)
@@ -248,6 +182,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private void Load(int first, int count)
     {
         _rays.Count = count;
+        _rays.Bounds = null;
         _hasPrimaryOrder = false;
         for (int i = 0; i < count; i++)
         {

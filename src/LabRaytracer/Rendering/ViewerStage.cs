@@ -15,27 +15,37 @@ internal static unsafe class ViewerStage
         where I : unmanaged, IIndexLane<I>
     {
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
+        int first = ((int*)hits.Object)[order[0]];
+        bool isCommon = true;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
-            R dx = run.Collect<R, F>(rays.DirectionX), dy = run.Collect<R, F>(rays.DirectionY), dz = run.Collect<R, F>(rays.DirectionZ);
+            run.Collect<R, F>(rays.DirectionX, rays.DirectionY, rays.DirectionZ, out R dx, out R dy, out R dz);
             buffers.DirectionX[packet] = dx;
             buffers.DirectionY[packet] = dy;
             buffers.DirectionZ[packet] = dz;
             R nx = s.NormalX[packet], ny = s.NormalY[packet], nz = s.NormalZ[packet];
             R inside = R.Less(R.Zero, Lane.Dot(nx, ny, nz, dx, dy, dz));
             buffers.Inside[packet] = inside;
-            buffers.ShadowRays.Source[packet] = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
+            I source = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
+            buffers.ShadowRays.Source[packet] = source;
+            isCommon &= I.AllEqual(source, first);
             buffers.ShadowRays.SourcePart[packet] = run.Collect(hits.Part);
             if (R.Any(inside))
             {
                 s.NormalX[packet] = R.Select(inside, -nx, nx);
                 s.NormalY[packet] = R.Select(inside, -ny, ny);
                 s.NormalZ[packet] = R.Select(inside, -nz, nz);
+            }
+
+            if (!s.SharesNormals && R.Any(inside))
+            {
                 s.ShadingX[packet] = R.Select(inside, -s.ShadingX[packet], s.ShadingX[packet]);
                 s.ShadingY[packet] = R.Select(inside, -s.ShadingY[packet], s.ShadingY[packet]);
                 s.ShadingZ[packet] = R.Select(inside, -s.ShadingZ[packet], s.ShadingZ[packet]);
             }
         }
+
+        buffers.ShadowRays.CommonSource = isCommon ? first : -1;
     }
 }

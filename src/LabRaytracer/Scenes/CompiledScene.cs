@@ -120,14 +120,14 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     public void Nearest(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits)
     {
         hits.Clear(rays);
-        rays.Narrow();
+        rays.Renew();
         _all.Nearest(rays, hits, 0, rays.Packets);
     }
 
     /// <summary>Turns off the rays that something blocks before their limit.</summary>
     public void Block(RayBatch<R, F, I> rays)
     {
-        rays.Narrow();
+        rays.Renew();
         _casters.Block(rays, 0, rays.Packets);
     }
 

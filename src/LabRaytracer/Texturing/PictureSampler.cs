@@ -63,12 +63,24 @@ internal sealed unsafe class PictureSampler<TReader>(
     {
         F* memory = stackalloc F[BilinearBlock<F, I>.Size];
         BilinearBlock<F, I> block = new(memory);
+        bool isUsual = TexelPairs.Fits(across) && TexelPairs.Fits(up);
         for (int first = 0; first < packets; first += BilinearBlock<F, I>.Packets)
         {
             int count = Math.Min(packets - first, BilinearBlock<F, I>.Packets);
-            for (int k = 0; k < count; k++)
+            if (isUsual)
+            {
+                TexelPairs.Locate<R, F, I>(across, up, store.Start, u + first, v + first, block, count);
+            }
+
+            for (int k = 0; k < count && !isUsual; k++)
             {
                 Locate<R, F, I>(across, up, u[first + k], v[first + k], block, k);
+            }
+
+            if (store.IsLarge)
+            {
+                Prefetch((int*)block.Below, count * I.Width);
+                Prefetch((int*)block.Above, count * I.Width);
             }
 
             for (int k = 0; k < count; k++)
@@ -78,7 +90,7 @@ internal sealed unsafe class PictureSampler<TReader>(
         }
     }
 
-    /// <summary>Finds the texels of one group of lanes and asks the memory for them.</summary>
+    /// <summary>Finds the texels of one group of lanes.</summary>
     private void Locate<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, in BilinearBlock<F, I> block, int k)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
@@ -90,15 +102,14 @@ internal sealed unsafe class PictureSampler<TReader>(
         block.Below[k] = Row(y0) + x0;
         block.Above[k] = Row(y1) + x0;
         block.Across[k] = x1 - x0;
-        if (store.IsLarge)
+    }
+
+    /// <summary>Asks the memory for texels.</summary>
+    private void Prefetch(int* texels, int count)
+    {
+        for (int k = 0; k < count; k++)
         {
-            int* below = (int*)(block.Below + k);
-            int* above = (int*)(block.Above + k);
-            for (int lane = 0; lane < I.Width; lane++)
-            {
-                reader.Prefetch(below[lane]);
-                reader.Prefetch(above[lane]);
-            }
+            reader.Prefetch(texels[k]);
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace LabRaytracer;
 
@@ -15,6 +16,16 @@ internal static unsafe class LaneTriples
     public static void WriteFour(float* x, float* y, float* z, ref float to)
     {
         Vector128<float> xs = Vector128.Load(x), ys = Vector128.Load(y), zs = Vector128.Load(z);
+        if (Sse.IsSupported)
+        {
+            // x0 y0 x1 y1, x2 y2 x3 y3; then z0 z0 x1 x1, y1 y1 z1 z1, z2 z2 x3 x3, y3 y3 z3 z3.
+            Vector128<float> low = Sse.UnpackLow(xs, ys), high = Sse.UnpackHigh(xs, ys);
+            Sse.Shuffle(low, Sse.Shuffle(zs, low, 0b10_10_00_00), 0b10_00_01_00).StoreUnsafe(ref to);
+            Sse.Shuffle(Sse.Shuffle(low, zs, 0b01_01_11_11), high, 0b01_00_10_00).StoreUnsafe(ref to, 4);
+            Sse.Shuffle(Sse.Shuffle(zs, high, 0b10_10_10_10), Sse.Shuffle(high, zs, 0b11_11_11_11), 0b10_00_10_00).StoreUnsafe(ref to, 8);
+            return;
+        }
+
         Vector128<float> second = Vector128.Create(0, -1, 0, 0).AsSingle();
         Vector128<float> third = Vector128.Create(0, 0, -1, 0).AsSingle();
         Vector128<float> xs0 = Vector128.Shuffle(xs, Vector128.Create(0, 0, 1, 1)), ys0 = Vector128.Shuffle(ys, Vector128.Create(1, 1, 2, 2));

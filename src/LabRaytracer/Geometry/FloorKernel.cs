@@ -1,0 +1,43 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>The formulas of <see cref="PlaneKernel"/> where the normal is +Y: products with 0 and 1 and what they leave are gone, the numbers are the same.</summary>
+internal static class FloorKernel
+{
+    /// <summary>Hits with t above 0.</summary>
+    /// <param name="height">y of the plane.</param>
+    /// <param name="originY">y of the origins.</param>
+    /// <param name="directionY">y of the directions.</param>
+    /// <param name="t">Ray parameters where the mask is true.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R Intersect<R>(R height, R originY, R directionY, out R t)
+        where R : unmanaged, IReal<R>
+    {
+        R way = Compensated.Difference(height, originY, out R rest);
+        R inverse = R.Of(1) / directionY;
+        R quotient = way * inverse;
+        t = R.Fma(R.Fma(-quotient, directionY, way) + rest, inverse, quotient);
+        return R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
+    }
+
+    /// <summary>The point relative to the plane's own one; its y is 0.</summary>
+    /// <param name="x">x of the plane's point.</param>
+    /// <param name="y">y of the plane's point.</param>
+    /// <param name="z">z of the plane's point.</param>
+    /// <param name="ray">The rays.</param>
+    /// <param name="t">Ray parameters of the hits.</param>
+    /// <param name="qx">x of the hits.</param>
+    /// <param name="qz">z of the hits.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Reach<R>(R x, R y, R z, in RayLanes<R> ray, R t, out R qx, out R qz)
+        where R : unmanaged, IReal<R>
+    {
+        R qy = R.Fma(t, ray.DirectionY, Compensated.Difference(ray.OriginY, y, out R restY)) + restY;
+        R again = -qy / ray.DirectionY;
+        qx = R.Fma(t, ray.DirectionX, Compensated.Difference(ray.OriginX, x, out R restX)) + restX;
+        qz = R.Fma(t, ray.DirectionZ, Compensated.Difference(ray.OriginZ, z, out R restZ)) + restZ;
+        qx = R.Fma(again, ray.DirectionX, qx);
+        qz = R.Fma(again, ray.DirectionZ, qz);
+    }
+}

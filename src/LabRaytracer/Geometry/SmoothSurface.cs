@@ -1,0 +1,104 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Surface points of shapes whose kernel is smooth (<see cref="IShapeKernel.IsSmooth"/>).</summary>
+/// <typeparam name="K">The kernel.</typeparam>
+[SkipLocalsInit]
+internal static unsafe class SmoothSurface<K>
+    where K : struct, IShapeKernel
+{
+    /// <summary>Surface points of hits, columns to columns.</summary>
+    /// <param name="rays">The rays.</param>
+    /// <param name="t">Their hits' ray parameters, which may become more accurate.</param>
+    /// <param name="objects">Their hits' objects.</param>
+    /// <param name="numbers">Numbers of all shapes.</param>
+    /// <param name="members">The member number of each object; null where there is one member.</param>
+    /// <param name="order">Numbers of the rays that hit, padded to whole groups of lanes.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="to">Where the surface goes.</param>
+    /// <param name="needs">Columns that somebody reads.</param>
+    /// <returns>How many ray parameters became more accurate.</returns>
+    public static int Run<R, F, I>(
+        in RayColumns<R> rays, R* t, I* objects, R* numbers, int* members, int* order, int count, in SurfaceColumns<R> to, SurfaceNeeds needs)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        // Eight doubles are two registers of which there are few: half as many lanes at a time stay in them.
+        if (typeof(R) == typeof(Double8))
+        {
+            return Each<Double4, Float4, Int4>(
+                Unsafe.As<RayColumns<R>, RayColumns<Double4>>(ref Unsafe.AsRef(in rays)), (Double4*)t, (int*)objects, (Double4*)numbers, members, order, count,
+                Unsafe.As<SurfaceColumns<R>, SurfaceColumns<Double4>>(ref Unsafe.AsRef(in to)), needs);
+        }
+
+        return Each<R, F, I>(rays, t, (int*)objects, numbers, members, order, count, to, needs);
+    }
+
+    private static int Each<R, F, I>(
+        in RayColumns<R> rays, R* t, int* objects, R* numbers, int* members, int* order, int count, in SurfaceColumns<R> to, SurfaceNeeds needs)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        int refined = 0;
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            RayLanes<R> ray = run.Collect<R, F>(rays, t, out R found);
+            R exact = found;
+            if (members == null)
+            {
+                K.Smooth(new SharedParameters<R, F, I>(numbers, 0), ray, ref exact, to, packet, needs);
+            }
+            else
+            {
+                Several<R, F, I>(run, ray, objects, numbers, members, ref exact, to, packet, needs);
+            }
+
+            if (!R.All(R.Equal(exact, found)))
+            {
+                refined += Keep<R, F, I>(t, order, count, packet, exact);
+            }
+        }
+
+        return refined;
+    }
+
+    /// <summary>Where a group has several shapes: one for all lanes, or a different one in each.</summary>
+    private static void Several<R, F, I>(
+        in LaneRun<I> run, in RayLanes<R> ray, int* objects, R* numbers, int* members, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        int one = objects[run.First];
+        I number = run.Collect((I*)objects);
+        if (I.AllEqual(number, one))
+        {
+            K.Smooth(new SharedParameters<R, F, I>(numbers, members[one] * K.ParameterCount), ray, ref t, to, packet, needs);
+        }
+        else
+        {
+            I first = I.Gather(members, number) * I.Of(K.ParameterCount);
+            K.Smooth(new GatheredParameters<R, F, I>(numbers, first), ray, ref t, to, packet, needs);
+        }
+    }
+
+    private static int Keep<R, F, I>(R* t, int* order, int count, int packet, R exact)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        int first = packet * R.Width, refined = 0;
+        for (int lane = 0; lane < R.Width && first + lane < count; lane++)
+        {
+            double value = R.Get(exact, lane);
+            refined += value == R.Take(t, order[first + lane]) ? 0 : 1;
+            R.Put(t, order[first + lane], value);
+        }
+
+        return refined;
+    }
+}

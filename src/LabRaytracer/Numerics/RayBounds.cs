@@ -1,0 +1,11 @@
+namespace LabRaytracer;
+
+/// <summary>Bounds of rays that are known without looking at each. Directions count times a factor, another one for each ray, none below <paramref name="LeastFactor"/>.</summary>
+/// <param name="LeastOrigin">No origin has a smaller coordinate.</param>
+/// <param name="LargestOrigin">No origin has a larger coordinate.</param>
+/// <param name="LeastDirection">No direction, times its ray's factor, has a smaller coordinate.</param>
+/// <param name="LargestDirection">No direction, times its ray's factor, has a larger coordinate.</param>
+/// <param name="LeastFactor">No factor is smaller; at least 0.</param>
+/// <param name="Limit">No ray parameter over its ray's factor is of interest beyond.</param>
+internal readonly record struct RayBounds(
+    Point3D LeastOrigin, Point3D LargestOrigin, Vector3D LeastDirection, Vector3D LargestDirection, double LeastFactor, double Limit);

@@ -1,0 +1,65 @@
+using System.Runtime.CompilerServices;
+
+namespace LabRaytracer;
+
+/// <summary>Bounds of shadow rays that all end at one point: from bounds of where they start.</summary>
+/// <param name="rays">The shadow rays.</param>
+internal sealed unsafe class ShadowBounds<R, F, I>(RayBatch<R, F, I> rays)
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
+{
+    private const int Bundle = RayBatch<R, F, I>.BundlePackets;
+
+    /// <summary>A little more than the whole way to the lamp.</summary>
+    private const double WholeWay = 1 + 1e-6;
+
+    private readonly RayBounds[] _bounds = new RayBounds[((rays.Capacity / R.Width) / Bundle) + 1];
+
+    /// <summary>Finds bounds; null if the lamp is not a point.</summary>
+    /// <param name="light">The lamp.</param>
+    public RayBounds[]? Find(Light light)
+    {
+        Point3D? place = light switch
+        {
+            PointLight point => point.Position,
+            SpotLight spot => spot.Position,
+            _ => null,
+        };
+        if (place is not { } end)
+        {
+            return null;
+        }
+
+        for (int first = 0; first < rays.Packets; first += Bundle)
+        {
+            _bounds[first / Bundle] = Find(end, first, Math.Min(first + Bundle, rays.Packets));
+        }
+
+        return _bounds;
+    }
+
+    /// <summary>Bounds of a bundle; of rays that are off nothing matters.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private RayBounds Find(Point3D end, int first, int last)
+    {
+        R leastX = R.Of(double.PositiveInfinity), leastY = leastX, leastZ = leastX;
+        R largestX = R.Of(double.NegativeInfinity), largestY = largestX, largestZ = largestX;
+        for (int packet = first; packet < last; packet++)
+        {
+            // All ones is a NaN, of which minima and maxima take the other operand.
+            R isOff = ~R.Less(R.Zero, rays.Limit[packet]);
+            R x = rays.OriginX[packet] | isOff, y = rays.OriginY[packet] | isOff, z = rays.OriginZ[packet] | isOff;
+            leastX = R.Min(x, leastX);
+            leastY = R.Min(y, leastY);
+            leastZ = R.Min(z, leastZ);
+            largestX = R.Max(x, largestX);
+            largestY = R.Max(y, largestY);
+            largestZ = R.Max(z, largestZ);
+        }
+
+        Point3D least = new(Lane.Least(leastX), Lane.Least(leastY), Lane.Least(leastZ));
+        Point3D largest = new(-Lane.Least(-largestX), -Lane.Least(-largestY), -Lane.Least(-largestZ));
+        return new RayBounds(least, largest, end - largest, end - least, 0, least.X <= largest.X ? WholeWay : -1);
+    }
+}

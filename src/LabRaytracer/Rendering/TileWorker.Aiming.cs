@@ -1,0 +1,132 @@
+namespace LabRaytracer;
+
+/// <content>From pixels to camera rays.</content>
+internal sealed unsafe partial class TileWorker<R, F, I>
+{
+    private readonly RayBounds[] _bounds = new RayBounds[(((Pixels / R.Width) - 1) / RayBatch<R, F, I>.BundlePackets) + 1];
+
+    /// <summary>The rectangles of the pixels' corners in the tile, bundle by bundle.</summary>
+    private readonly (double Left, double Right, double Top, double Bottom)[] _rectangles =
+        new (double, double, double, double)[(((Pixels / R.Width) - 1) / RayBatch<R, F, I>.BundlePackets) + 1];
+
+    /// <summary>Where the sample of the tile's first pixel is, if samples are at the same place in all pixels.</summary>
+    private (double X, double Y)? _grid;
+
+    private void FindRectangles()
+    {
+        for (int bundle = 0; bundle < _rectangles.Length; bundle++)
+        {
+            int first = bundle * RayBatch<R, F, I>.BundlePackets;
+            _rectangles[bundle] = Rectangle(_pixelX, _pixelY, first, Math.Min(first + RayBatch<R, F, I>.BundlePackets, Pixels / R.Width));
+        }
+    }
+
+    /// <summary>Camera rays of one sample of every pixel; pixels outside the picture are off.</summary>
+    private void Aim(int x, int y, int sample)
+    {
+        if (_places.IsSame)
+        {
+            PlaceSamples(x + _places.At(x, y, sample, 0), y + _places.At(x, y, sample, 1));
+        }
+        else
+        {
+            _grid = null;
+            for (int i = 0; i < Pixels; i++)
+            {
+                (int px, int py) = Place(i);
+                R.Put(_sampleX, i, x + px + _places.At(x + px, y + py, sample, 0));
+                R.Put(_sampleY, i, y + py + _places.At(x + px, y + py, sample, 1));
+            }
+        }
+
+        AimSamples(x, y);
+    }
+
+    /// <summary>Puts the samples at the same place in all pixels.</summary>
+    private void PlaceSamples(double startX, double startY)
+    {
+        _grid = (startX, startY);
+        R left = R.Of(startX), top = R.Of(startY);
+        for (int packet = 0; packet < Pixels / R.Width; packet++)
+        {
+            _sampleX[packet] = _pixelX[packet] + left;
+            _sampleY[packet] = _pixelY[packet] + top;
+        }
+    }
+
+    private void AimSamples(int x, int y)
+    {
+        _rays.Count = Pixels;
+        AimCamera(_options.Samples);
+        R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
+        for (int packet = 0; packet < Pixels / R.Width; packet++)
+        {
+            R inside = R.Less(_pixelX[packet], right) & R.Less(_pixelY[packet], bottom);
+            _rays.Limit[packet] = R.Select(inside, R.Of(double.PositiveInfinity), R.Of(-1));
+        }
+    }
+
+    /// <param name="samples">Samples of a pixel; their footprints share it.</param>
+    private void AimCamera(int samples)
+    {
+        AimRays();
+        _rays.Bounds = _lens is null && _scene.IsSkipping ? FindBounds() : null;
+        _lens?.Run(_rays, _sampleX, _sampleY, _options);
+        if (_rays.HasDifferentials)
+        {
+            CameraDifferentials.Set(_scene.Camera, _rays, _sampleX, _sampleY, _options, samples);
+        }
+    }
+
+    /// <summary>Bounds of the camera's rays, bundle by bundle, from where they pass the picture; null if the camera does not know them.</summary>
+    private RayBounds[]? FindBounds()
+    {
+        const int Bundle = RayBatch<R, F, I>.BundlePackets;
+        for (int first = 0; first < _rays.Packets; first += Bundle)
+        {
+            (double left, double right, double top, double bottom) = _grid is { } start
+                ? Moved(_rectangles[first / Bundle], start.X, start.Y)
+                : Rectangle(_sampleX, _sampleY, first, Math.Min(first + Bundle, _rays.Packets));
+            if ((_scene.Camera as IWideCamera)?.Bounds(left, right, top, bottom, _options.Width, _options.Height) is not { } bounds)
+            {
+                return null;
+            }
+
+            _bounds[first / Bundle] = bounds;
+        }
+
+        return _bounds;
+
+        static (double Left, double Right, double Top, double Bottom) Moved((double Left, double Right, double Top, double Bottom) rectangle, double x, double y) =>
+            (rectangle.Left + x, rectangle.Right + x, rectangle.Top + y, rectangle.Bottom + y);
+    }
+
+    /// <summary>The rectangle around some places.</summary>
+    private static (double Left, double Right, double Top, double Bottom) Rectangle(R* x, R* y, int first, int end)
+    {
+        R left = x[first], right = left, top = y[first], bottom = top;
+        for (int packet = first + 1; packet < end; packet++)
+        {
+            left = R.Min(left, x[packet]);
+            right = R.Max(right, x[packet]);
+            top = R.Min(top, y[packet]);
+            bottom = R.Max(bottom, y[packet]);
+        }
+
+        return (Lane.Least(left), -Lane.Least(-right), Lane.Least(top), -Lane.Least(-bottom));
+    }
+
+    private void AimRays()
+    {
+        if (_scene.Camera is IWideCamera wide)
+        {
+            wide.Rays(_sampleX, _sampleY, _rays.Columns, _rays.Packets, _options.Width, _options.Height);
+            return;
+        }
+
+        for (int i = 0; _lens is null && i < _rays.Count; i++)
+        {
+            _rays.Set(i, _scene.Camera.RayAt(R.Take(_sampleX, i), R.Take(_sampleY, i), _options.Width, _options.Height));
+        }
+    }
+}
