@@ -106,20 +106,20 @@ internal sealed class GridArea
     /// <summary>The integral over a box.</summary>
     private Vector3D Box(double left, double right, double bottom, double top)
     {
-        Place x0 = Locate(left, _columns), x1 = Locate(right, _columns), y0 = Locate(bottom, _rows), y1 = Locate(top, _rows);
+        Spot x0 = Locate(left, _columns), x1 = Locate(right, _columns), y0 = Locate(bottom, _rows), y1 = Locate(top, _rows);
         return Integral(x1, y1) - Integral(x0, y1) - (Integral(x1, y0) - Integral(x0, y0));
     }
 
     /// <summary>The integral from the corner to a point, tiles side by side.</summary>
-    private Vector3D Integral(in Place x, in Place y)
+    private Vector3D Integral(in Spot x, in Spot y)
     {
         int right = _width - 1, top = (_sums.Length / _width) - 1;
-        Place endX = new(right - 1, 1, 0), endY = new(top - 1, 1, 0);
+        Spot endX = new(right - 1, 1, 0), endY = new(top - 1, 1, 0);
         return Within(x, y) + (Within(endX, y) * x.Turns) + (Within(x, endY) * y.Turns) + (Within(endX, endY) * (x.Turns * y.Turns));
     }
 
     /// <summary>The same inside one tile: bilinear between the ends of intervals.</summary>
-    private Vector3D Within(in Place x, in Place y)
+    private Vector3D Within(in Spot x, in Spot y)
     {
         int at = (y.Interval * _width) + x.Interval;
         Vector3D low = (_sums[at] * (1 - x.Share)) + (_sums[at + 1] * x.Share);
@@ -130,7 +130,7 @@ internal sealed class GridArea
     /// <summary>Finds the interval of a place.</summary>
     /// <param name="place">The place, cells.</param>
     /// <param name="cells">Cells of a tile.</param>
-    private Place Locate(double place, int cells)
+    private Spot Locate(double place, int cells)
     {
         double turns = Math.Floor(place / cells), rest = Math.Clamp(place - (turns * cells), 0, cells);
         int cell = Math.Min((int)rest, cells - 1), k = 0;
@@ -140,7 +140,7 @@ internal sealed class GridArea
             k++;
         }
 
-        return new Place((cell * (_ends.Length - 1)) + k, (inside - _ends[k]) / (_ends[k + 1] - _ends[k]), turns);
+        return new Spot((cell * (_ends.Length - 1)) + k, (inside - _ends[k]) / (_ends[k + 1] - _ends[k]), turns);
     }
 
     /// <summary>Middle and length of an interval, cells.</summary>
@@ -154,5 +154,5 @@ internal sealed class GridArea
     /// <param name="Interval">Its interval in a tile.</param>
     /// <param name="Share">Where in it, [0, 1].</param>
     /// <param name="Turns">Tiles before it.</param>
-    private readonly record struct Place(int Interval, double Share, double Turns);
+    private readonly record struct Spot(int Interval, double Share, double Turns);
 }
