@@ -37,6 +37,10 @@ internal unsafe struct BvhBundleLeaf<R, F, I, TLeaf>(BvhRay<R, F, I>* rays, in T
         }
     }
 
+    public void Expect(int first)
+    {
+    }
+
     public void Visit(int first, int count, float* box, ref float limit)
     {
         if (MeetsAny(box) && Items.Visit(first, count, ref rays->Limit))

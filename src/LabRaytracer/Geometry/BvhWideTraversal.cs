@@ -28,6 +28,15 @@ internal static unsafe class BvhWideTraversal
                 uint met = test.Meet(node->Planes, limit, out Float8 near);
                 if (met != 0)
                 {
+                    for (uint rest = met; rest != 0; rest &= rest - 1)
+                    {
+                        int next = node->Children[BitOperations.TrailingZeroCount(rest)];
+                        if (next < 0)
+                        {
+                            leaf.Expect(~next >> BvhWideNode.CountBits);
+                        }
+                    }
+
                     int child = BitOperations.TrailingZeroCount(met);
                     met &= met - 1;
                     if (met == 0)

@@ -3,6 +3,11 @@ namespace LabRaytracer;
 /// <summary>What a search with one ray does at the leaves.</summary>
 internal interface IBvhWideLeaf
 {
+    /// <summary>Says that the items from a place on are likely to be tested soon.</summary>
+    void Expect(int first)
+    {
+    }
+
     /// <summary>Tests the items at places [first, first + count) of the tree's order.</summary>
     /// <param name="first">First place.</param>
     /// <param name="count">Number of items, 1 to 4.</param>

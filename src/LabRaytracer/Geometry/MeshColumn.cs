@@ -5,6 +5,12 @@ namespace LabRaytracer;
 /// <summary>Numbers kept as floats where every one of them is exactly a float, else as doubles.</summary>
 internal readonly unsafe struct MeshColumn
 {
+    /// <summary>Rows that are turned at a time.</summary>
+    private const int Rows = 4;
+
+    /// <summary>Numbers behind the last one that may be read: rows of four start at any of them.</summary>
+    private const int Spare = 3;
+
     /// <summary>The numbers as floats, or null.</summary>
     public readonly float* Singles;
 
@@ -15,7 +21,7 @@ internal readonly unsafe struct MeshColumn
     {
         if (AreSingles(values))
         {
-            Singles = memory.Column<float>(values.Length, 1);
+            Singles = memory.Column<float>(values.Length + Spare, 1);
             for (int i = 0; i < values.Length; i++)
             {
                 Singles[i] = (float)values[i];
@@ -23,7 +29,7 @@ internal readonly unsafe struct MeshColumn
         }
         else
         {
-            Doubles = memory.Column<double>(values.Length, 1);
+            Doubles = memory.Column<double>(values.Length + Spare, 1);
             values.CopyTo(new Span<double>(Doubles, values.Length));
         }
     }
@@ -47,6 +53,56 @@ internal readonly unsafe struct MeshColumn
         Singles != null ? R.FromSingle(F.Gather((F*)Singles, element))
         : !R.IsSingle ? R.Gather((R*)Doubles, element)
         : GatherRounded<R, F, I>(element);
+
+    /// <summary>Three consecutive numbers for each lane: rows are read and turned, which is several times faster than gathering numbers.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    [SkipLocalsInit]
+    public void Gather<R, F, I>(in I element, out R first, out R second, out R third)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (R.Width < Rows)
+        {
+            first = Gather<R, F, I>(element);
+            second = Gather<R, F, I>(element + I.Of(1));
+            third = Gather<R, F, I>(element + I.Of(2));
+            return;
+        }
+
+        Unsafe.SkipInit(out R x);
+        Unsafe.SkipInit(out R y);
+        Unsafe.SkipInit(out R z);
+        I places = element;
+        for (int row = 0; row < R.Width; row += Rows)
+        {
+            int* at = (int*)&places + row;
+            if (R.IsSingle)
+            {
+                Turn((Float4*)&x + (row / Rows), (Float4*)&y + (row / Rows), (Float4*)&z + (row / Rows), at);
+            }
+            else
+            {
+                Turn((Double4*)&x + (row / Rows), (Double4*)&y + (row / Rows), (Double4*)&z + (row / Rows), at);
+            }
+        }
+
+        (first, second, third) = (x, y, z);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Turn<Q>(Q* x, Q* y, Q* z, int* at)
+        where Q : unmanaged, IQuad<Q>
+    {
+        if (Singles != null)
+        {
+            Q.Turn(Q.Load(Singles + at[0]), Q.Load(Singles + at[1]), Q.Load(Singles + at[2]), Q.Load(Singles + at[3]), out *x, out *y, out *z);
+        }
+        else
+        {
+            Q.Turn(Q.Load(Doubles + at[0]), Q.Load(Doubles + at[1]), Q.Load(Doubles + at[2]), Q.Load(Doubles + at[3]), out *x, out *y, out *z);
+        }
+    }
 
     private R GatherRounded<R, F, I>(I element)
         where R : unmanaged, ILane<R, F, I>

@@ -21,9 +21,9 @@ internal static unsafe class MeshSurface
         s = default;
         I corner = triangle * I.Of(3);
         MeshCorners<I> at = new(mesh.Corners, corner, 3);
-        Edges<R, F, I>(mesh.Positions, at, 0, out R x0, out R x1, out R x2);
-        Edges<R, F, I>(mesh.Positions, at, 1, out R y0, out R y1, out R y2);
-        Edges<R, F, I>(mesh.Positions, at, 2, out R z0, out R z1, out R z2);
+        mesh.Positions.Gather<R, F, I>(at.First, out R x0, out R y0, out R z0);
+        Edge<R, F, I>(mesh.Positions, at.Second, x0, y0, z0, out R x1, out R y1, out R z1);
+        Edge<R, F, I>(mesh.Positions, at.Third, x0, y0, z0, out R x2, out R y2, out R z2);
         s.PointX = s.LocalX = R.Fma(a, x1, R.Fma(b, x2, x0));
         s.PointY = s.LocalY = R.Fma(a, y1, R.Fma(b, y2, y0));
         s.PointZ = s.LocalZ = R.Fma(a, z1, R.Fma(b, z2, z0));
@@ -45,8 +45,9 @@ internal static unsafe class MeshSurface
         if (mesh.TextureCoordinates.IsPresent)
         {
             at = new MeshCorners<I>(mesh.TextureCorners, corner, 2);
-            Edges<R, F, I>(mesh.TextureCoordinates, at, 0, out R u0, out R u1, out R u2);
-            Edges<R, F, I>(mesh.TextureCoordinates, at, 1, out R v0, out R v1, out R v2);
+            mesh.TextureCoordinates.Gather<R, F, I>(at.First, out R u0, out R v0, out R next);
+            Edge<R, F, I>(mesh.TextureCoordinates, at.Second, u0, v0, next, out R u1, out R v1, out _);
+            Edge<R, F, I>(mesh.TextureCoordinates, at.Third, u0, v0, next, out R u2, out R v2, out _);
             s.SurfaceU = R.Fma(a, u1, R.Fma(b, u2, u0));
             s.SurfaceV = R.Fma(a, v1, R.Fma(b, v2, v0));
         }
@@ -59,25 +60,25 @@ internal static unsafe class MeshSurface
         where I : unmanaged, IIndexLane<I>
     {
         MeshCorners<I> at = new(mesh.NormalCorners, corner, 3);
-        Edges<R, F, I>(mesh.Normals, at, 0, out R x0, out R x1, out R x2);
-        Edges<R, F, I>(mesh.Normals, at, 1, out R y0, out R y1, out R y2);
-        Edges<R, F, I>(mesh.Normals, at, 2, out R z0, out R z1, out R z2);
+        mesh.Normals.Gather<R, F, I>(at.First, out R x0, out R y0, out R z0);
+        Edge<R, F, I>(mesh.Normals, at.Second, x0, y0, z0, out R x1, out R y1, out R z1);
+        Edge<R, F, I>(mesh.Normals, at.Third, x0, y0, z0, out R x2, out R y2, out R z2);
         (R x, R y, R z) = (R.Fma(a, x1, R.Fma(b, x2, x0)), R.Fma(a, y1, R.Fma(b, y2, y0)), R.Fma(a, z1, R.Fma(b, z2, z0)));
         Unit(ref x, ref y, ref z, s.ShadingX, s.ShadingY, s.ShadingZ);
         (s.ShadingX, s.ShadingY, s.ShadingZ) = (x, y, z);
     }
 
-    /// <summary>A number at vertex 0, and its changes towards vertices 1 and 2.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Edges<R, F, I>(in MeshColumn column, in MeshCorners<I> corners, int k, out R at0, out R to1, out R to2)
+    /// <summary>Changes of three numbers from vertex 0 to another one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Edge<R, F, I>(in MeshColumn column, in I element, in R x0, in R y0, in R z0, out R x, out R y, out R z)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        I offset = I.Of(k);
-        at0 = column.Gather<R, F, I>(corners.First + offset);
-        to1 = column.Gather<R, F, I>(corners.Second + offset) - at0;
-        to2 = column.Gather<R, F, I>(corners.Third + offset) - at0;
+        column.Gather<R, F, I>(element, out x, out y, out z);
+        x -= x0;
+        y -= y0;
+        z -= z0;
     }
 
     /// <summary>a d - b c, within 1.5 ulp, so that slivers keep their normals.</summary>

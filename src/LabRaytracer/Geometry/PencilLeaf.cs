@@ -53,6 +53,8 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
         return LargestLimit;
     }
 
+    public void Expect(int first) => CacheLine.Prefetch(triangles + first);
+
     public void Visit(int first, int number, float* box, ref float limit)
     {
         bool isLowered = false;

@@ -38,8 +38,6 @@ internal static unsafe class PencilTest
         where I : unmanaged, IIndexLane<I>
     {
         I element = I.Gather((int*)triangles, field);
-        x = mesh.Positions.Gather<R, F, I>(element);
-        y = mesh.Positions.Gather<R, F, I>(element + I.Of(1));
-        z = mesh.Positions.Gather<R, F, I>(element + I.Of(2));
+        mesh.Positions.Gather<R, F, I>(element, out x, out y, out z);
     }
 }
