@@ -37,18 +37,18 @@ internal static unsafe class PencilFinder
         Point3D apex = EndOf(lanes + first, lane, endsAtApex);
         Vector3D direction = new(Take(lanes[first].Ray.DirectionX, lane), Take(lanes[first].Ray.DirectionY, lane), Take(lanes[first].Ray.DirectionZ, lane));
         pencil.Axis = LargestAxis(direction);
+        Turn(pencil.Axis, apex, direction, out pencil.ApexX, out pencil.ApexY, out pencil.ApexZ, out double z);
+        pencil.Sign = z < 0 == endsAtApex ? 1 : -1;
         double deviation = 0, limit = 0;
         for (int packet = 0; packet < count; packet++)
         {
-            if (!Belongs(lanes + packet, pencil.Axis, apex, endsAtApex, ref deviation, ref limit))
+            if (!Belongs(lanes + packet, pencil.Axis, z < 0 ? -1 : 1, apex, endsAtApex, ref deviation, ref limit))
             {
                 return false;
             }
         }
 
         SetSize(ref pencil, apex, mesh, deviation, limit);
-        Turn(pencil.Axis, apex, direction, out pencil.ApexX, out pencil.ApexY, out pencil.ApexZ, out double z);
-        pencil.Sign = z < 0 == endsAtApex ? 1 : -1;
         if (!(pencil.Size is > Smallest and < Largest && deviation <= pencil.Size * 1e-12))
         {
             return false;
@@ -79,16 +79,16 @@ internal static unsafe class PencilFinder
         return x > y && x > z ? 0 : y > z ? 1 : 2;
     }
 
-    /// <summary>Tells whether all rays of a group that are on belong to the pencil.</summary>
+    /// <summary>Tells whether all rays of a group that are on belong to the pencil: they are largest along its axis, go the same way along it, and share the apex.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static bool Belongs<R, F, I>(PencilLanes<R, F, I>* lanes, int axis, Point3D apex, bool endsAtApex, ref double deviation, ref double limit)
+    private static bool Belongs<R, F, I>(PencilLanes<R, F, I>* lanes, int axis, int sign, Point3D apex, bool endsAtApex, ref double deviation, ref double limit)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
         RayLanes<R>* ray = &lanes->Ray;
         R isOff = R.LessOrEqual(lanes->Limit, R.Zero);
-        R x = R.Abs(ray->DirectionX), y = R.Abs(ray->DirectionY), z = R.Abs(ray->DirectionZ), along = axis == 0 ? x : axis == 1 ? y : z;
+        R x = R.Abs(ray->DirectionX), y = R.Abs(ray->DirectionY), z = R.Abs(ray->DirectionZ), along = (&ray->DirectionX)[axis] * R.Of(sign);
         R isAlong = R.LessOrEqual(x, along) & R.LessOrEqual(y, along) & R.LessOrEqual(z, along) & R.Less(R.Of(1e-30), along) & R.Less(along, R.Of(1e30));
         if (!R.All(isOff | isAlong))
         {

@@ -51,6 +51,21 @@ public class MeshPencilTests
     }
 
     [Fact]
+    public void NearestAndBlock_RaysToBothSidesOfTheApex_Same()
+    {
+        // All largest along one axis, half of them the other way: no pencil.
+        TriangleMesh ball = Ball(1, 0, out _, out _);
+        Random random = new(3);
+        foreach (int axis in (int[])[0, 1, 2])
+        {
+            Point3D apex = new(0.1, -0.2, 0.05);
+            Vector3D[] directions = [.. Enumerable.Range(0, 160).Select(i => Turned(axis, i % 2 == 0 ? 1 : -1, 0.4 * random.NextDouble(), -0.4 * random.NextDouble()).Normalized())];
+            AssertNearest(ball, [.. directions.Select(direction => new Ray(apex, direction))]);
+            AssertBlocked(ball, [.. directions.Select((direction, i) => apex + (direction * (0.5 + (0.01 * i))))], apex);
+        }
+    }
+
+    [Fact]
     public void Nearest_SameTriangleTwice_SmallerNumberWins()
     {
         Point3D[] vertices = [new(-1, -1, 0), new(1, -1, 0), new(0, 1, 0)];
@@ -96,6 +111,8 @@ public class MeshPencilTests
 
         Assert.InRange(differing, 0, 4);
     }
+
+    private static Vector3D Turned(int axis, double x, double y, double z) => axis == 0 ? new(x, y, z) : axis == 1 ? new(z, x, y) : new(y, z, x);
 
     private static Picture Rendered(Scene scene, Precision precision) =>
         Renderer.Render(scene, new RenderOptions { Width = 64, Height = 64, Threads = 1, Precision = precision }).Picture;
