@@ -21,21 +21,7 @@ internal unsafe struct BvhBundleLeaf<R, F, I, TLeaf>(BvhRay<R, F, I>* rays, in T
     private F _limit = BvhRay<R, F, I>.LimitOf(rays->Limit, rays->ToFloat);
 
     /// <summary>The largest limit of any ray, in the units of boxes.</summary>
-    public readonly float LargestLimit
-    {
-        get
-        {
-            F limit = _limit;
-            float largest = -1;
-            for (int lane = 0; lane < F.Width; lane++)
-            {
-                float own = ((float*)&limit)[lane];
-                largest = own > largest ? own : largest;
-            }
-
-            return largest;
-        }
-    }
+    public readonly float LargestLimit => (float)F.Largest(_limit);
 
     public void Expect(int first)
     {

@@ -4,9 +4,8 @@ namespace LabRaytracer;
 internal interface IBvhWideLeaf
 {
     /// <summary>Says that the items from a place on are likely to be tested soon.</summary>
-    void Expect(int first)
-    {
-    }
+    /// <param name="first">First place.</param>
+    void Expect(int first);
 
     /// <summary>Tests the items at places [first, first + count) of the tree's order.</summary>
     /// <param name="first">First place.</param>

@@ -54,7 +54,7 @@ internal readonly unsafe struct MeshColumn
         : !R.IsSingle ? R.Gather((R*)Doubles, element)
         : GatherRounded<R, F, I>(element);
 
-    /// <summary>Three consecutive numbers for each lane: rows are read and turned, which is several times faster than gathering numbers.</summary>
+    /// <summary>Three consecutive numbers for each lane: rows are read and turned, which takes fewer instructions than gathering numbers.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     [SkipLocalsInit]
     public void Gather<R, F, I>(in I element, out R first, out R second, out R third)

@@ -7,10 +7,9 @@ namespace LabRaytracer;
 /// <remarks>
 /// <para>With the vertices p0, p1, p2 relative to the apex, a line along d meets the triangle where d (p1 x p2), d (p2 x p0) and d (p0 x p1) have the same sign: three linear
 /// functions of the slopes. Their coefficients are computed in doubles and flipped so that hits are positive; over the small differences of slopes floats are enough
-/// to evaluate them. The sum of the three is d N with N the normal (twice the area), and w = p0 N / d N. Source of the edge functions: Pluecker coordinates,
-/// Shoemake, "Pluecker coordinate tutorial", Ray Tracing News 11(1), 1998.</para>
-/// <para>Error bound of an edge function, against the sign that <see cref="WatertightTriangle"/> finds in doubles (u = 2^-24, D the size of the pencil): the evaluation in floats
-/// 8 u (|middle| + span); the set-up 2^-47 D^2; the test's own sheared vertices, each wrong by up to 2^-51 D, times how far vertices are beside the rays,
+/// to evaluate them. The sum of the three is d N with N the normal (twice the area), and w = p0 N / d N.</para>
+/// <para>Error bound of an edge function, against the sign that <see cref="WatertightTriangle"/> finds in doubles (u = 2^-24, D the size of the pencil): the evaluation in floats,
+/// less than 8 u (|middle| + span), taken twice; the set-up 2^-47 D^2; the test's own sheared vertices, each wrong by up to 2^-51 D, times how far vertices are beside the rays,
 /// 2^-47 D^2; lines that pass the apex, 32 D times how far. The last three are multiplied by 8, as much as shearing may add, and more.</para>
 /// </remarks>
 internal static unsafe class PencilTriangles
