@@ -155,14 +155,15 @@ internal sealed unsafe class EwaSampler<TReader>(
         Float8 endS = Float8.Of(kernel.SEnd), endT = Float8.Of(kernel.TEnd), even = Float8.Zero, odd = Float8.Zero;
         float sx = kernel.SX, tx = kernel.TX, sy = kernel.SY, ty = kernel.TY, skew = kernel.Skew, slant = kernel.Slant, reach = kernel.Reach;
         float cx = kernel.CenterX, cy = kernel.CenterY, leftS = -sx * cx, leftT = -tx * cx, end = cy + kernel.ReachY;
+        float left = cx - kernel.ReachX, right = cx + kernel.ReachX;
 
         // Rows and columns are whole numbers, a few hundred at most, exact as floats.
         for (float y = MathF.Ceiling(cy - kernel.ReachY); y <= end; y += 2)
         {
-            float dy = y - cy, middle = MathF.FusedMultiplyAdd(slant, dy + 0.5f, cx), to = middle + reach;
+            float dy = y - cy, middle = MathF.FusedMultiplyAdd(slant, dy + 0.5f, cx), to = MathF.Min(middle + reach, right);
             float rowS = MathF.FusedMultiplyAdd(sy, dy, leftS), rowT = MathF.FusedMultiplyAdd(ty, dy, leftT);
             blocks.Row(float.ConvertToIntegerNative<int>(y));
-            for (float x = MathF.Ceiling(middle - reach); x <= to; x += 4)
+            for (float x = MathF.Ceiling(MathF.Max(middle - reach, left)); x <= to; x += 4)
             {
                 blocks.Read(float.ConvertToIntegerNative<int>(x), out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
                 Float8 s = blockS + Float8.Of(MathF.FusedMultiplyAdd(sx, x, rowS)), t = blockT + Float8.Of(MathF.FusedMultiplyAdd(tx, x, rowT));

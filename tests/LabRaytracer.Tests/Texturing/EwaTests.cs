@@ -110,6 +110,30 @@ public sealed class EwaTests
         }
     }
 
+    [Fact]
+    public unsafe void Sample_NearTheEdges_ReadsNothingBesideTheTexels()
+    {
+        // What lies between the rows and the levels was never written: here it is not a number, and would make the mean one.
+        const int Columns = 300, Rows = 200;
+        TexelStore store = new(PixelBuffer.FromRgbaFloat(Columns, Rows, [.. Enumerable.Repeat(0.5f, 4 * Columns * Rows)], TransferFunction.Linear, "test"));
+        FloatReader reader = new((float*)store.Samples);
+        MipPyramid pyramid = new(new ReaderRows<FloatReader>(store, null, reader));
+        int last = pyramid.LevelCount - 1;
+        new Span<float>(pyramid.Texels, MipPyramid.Channels * (pyramid.Starts[last] + 1)).Fill(float.NaN);
+        pyramid.RequirePicture();
+        pyramid.Require(last, 1);
+        EwaSampler<FloatReader> sampler = new(store, null, reader, SamplingOptions.Default, pyramid);
+        for (int k = 0; k < 20000; k++)
+        {
+            // Places all over the picture, sides in all directions, up to 30 texels long.
+            double Turn(double ratio) => (k * ratio) - Math.Floor(k * ratio);
+            double longer = 2 + (28 * Turn(0.7548776662)), shorter = longer * Turn(0.5698402910), along = Math.Tau * Turn(0.8191725134), across = Math.Tau * Turn(0.6710436067);
+            TextureFootprint footprint = new(longer * Math.Cos(along) / Columns, longer * Math.Sin(along) / Rows, shorter * Math.Cos(across) / Columns, shorter * Math.Sin(across) / Rows);
+            Intensity color = ScalarSampler.Sample(sampler, TextureLookup.At(Turn(0.6180339887), Turn(0.4142135624)) with { Footprint = footprint });
+            Assert.Equal(0.5, color.R, 1e-6);
+        }
+    }
+
     /// <summary>How much of a texel lies within a side.</summary>
     private static double Share(int texel, double center, double side) =>
         Math.Max(Math.Min(texel + 1, center + (side / 2)) - Math.Max(texel, center - (side / 2)), 0);
