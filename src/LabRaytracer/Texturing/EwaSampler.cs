@@ -76,9 +76,10 @@ internal sealed unsafe class EwaSampler<TReader>(
                 Prefetch((int)n[(EwaKernel.Numbers * width) + next - lane], new EwaKernel(n + next - lane, width, R.Take(places, next), R.Take(places + 1, next)));
             }
 
-            Intensity mean = Mean((int)n[EwaKernel.Numbers * width], across.Wrap, up.Wrap, new EwaKernel(n, width, R.Take(places, lane), R.Take(places + 1, lane)));
+            Float4 mean = Mean((int)n[EwaKernel.Numbers * width], across.Wrap, up.Wrap, new EwaKernel(n, width, R.Take(places, lane), R.Take(places + 1, lane)));
             float share = n[(EwaKernel.Numbers + 1) * width];
-            colors.Put(first + lane, share >= 1 ? mean : Intensity.Lerp(colors.Take(first + lane), mean, share));
+            Intensity color = new((float)Float4.Get(mean, 0), (float)Float4.Get(mean, 1), (float)Float4.Get(mean, 2));
+            colors.Put(first + lane, share >= 1 ? color : Intensity.Lerp(colors.Take(first + lane), color, share));
         }
 
         return System.Numerics.BitOperations.PopCount(F.Bits(isTooLong) & large);
@@ -116,7 +117,7 @@ internal sealed unsafe class EwaSampler<TReader>(
     }
 
     /// <summary>The mean over one footprint.</summary>
-    private Intensity Mean(int level, TextureWrap wrapU, TextureWrap wrapV, in EwaKernel kernel)
+    private Float4 Mean(int level, TextureWrap wrapU, TextureWrap wrapV, in EwaKernel kernel)
     {
         Require(level);
         int width = Pyramid.Widths[level], height = Pyramid.Heights[level];
@@ -146,7 +147,7 @@ internal sealed unsafe class EwaSampler<TReader>(
 
     /// <summary>The mean of texels by their weights.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Intensity Sum<TBlocks, TWeights>(ref TBlocks blocks, in EwaKernel kernel)
+    private static Float4 Sum<TBlocks, TWeights>(ref TBlocks blocks, in EwaKernel kernel)
         where TBlocks : struct, IEwaBlocks
         where TWeights : struct, IEwaWeights
     {
@@ -176,18 +177,9 @@ internal sealed unsafe class EwaSampler<TReader>(
             }
         }
 
-        return Mean(even + odd);
-    }
-
-    /// <summary>The mean from two sums of colours and weights.</summary>
-    [SkipLocalsInit]
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Intensity Mean(Float8 sums)
-    {
+        Float8 sums = even + odd;
         Float4 sum = Float8.Lower(sums) + Float8.Upper(sums);
-        float* n = (float*)&sum;
-        float toMean = 1 / n[3];
-        return new Intensity(n[0] * toMean, n[1] * toMean, n[2] * toMean);
+        return sum / Float4.Of(Float4.Get(sum, 3));
     }
 
     /// <summary>Footprints of one group of lanes, texels of the picture.</summary>
