@@ -39,7 +39,7 @@ internal sealed class FrontierVerb
         Picture converged = sweep.Converged(samples, path, Path.Combine(folder, "converged"), stop);
         List<FrontierPoint> points = sweep.Run(
             converged,
-            point => console.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{point.Series,-22} {point.Variant,-14} {point.Seconds,9:0.0000} s   RMSE {point.Rmse:0.00000}, inside objects {point.InnerRmse:0.00000}")),
+            point => console.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{point.Series,-22} {point.Variant,-22} {point.Seconds,9:0.0000} s   RMSE {point.Rmse:0.00000}, inside objects {point.InnerRmse:0.00000}")),
             stop);
         string remark = string.Create(
             CultureInfo.InvariantCulture, $"{size[0]} x {size[1]} pixels, one thread, the shortest of three renders; errors of linear light against {samples} samples a pixel, of all pixels and of those that no edge of an object crosses.");

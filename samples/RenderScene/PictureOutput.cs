@@ -84,6 +84,7 @@ internal static class PictureOutput
         text += string.Create(CultureInfo.InvariantCulture, $" --seed {options.Seed}");
         text += options.PixelFilter == PixelFilter.Box ? "" : $" --pixel-filter {options.PixelFilter}".ToLowerInvariant();
         text += options.ErrorBudget > 0 ? string.Create(CultureInfo.InvariantCulture, $" --budget {options.ErrorBudget} --max-samples {options.MaxSamples}") : "";
+        text += options.HasEdges ? string.Create(CultureInfo.InvariantCulture, $" --edge-samples {options.EdgeSamples}") : "";
         text += options.Filter is { } filter ? $" --filter {filter}".ToLowerInvariant() : "";
         return text + (options.Crop is { } crop ? string.Create(CultureInfo.InvariantCulture, $" --crop {crop.X},{crop.Y},{crop.Width},{crop.Height}") : "");
     }

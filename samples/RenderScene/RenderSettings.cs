@@ -31,6 +31,11 @@ internal sealed class RenderSettings
 
     private readonly Option<string?> _maxSamples = new("--max-samples") { HelpName = "N", Description = "Most samples a pixel under a budget." };
 
+    private readonly Option<string?> _edgeSamples = new("--edge-samples")
+    {
+        HelpName = "N", Description = "Samples of the pixels that edges of objects pass through, such as 16: smooth edges where the others take one sample.",
+    };
+
     private readonly Option<string?> _seed = new("--seed") { HelpName = "N", Description = "Number that random choices derive from." };
 
     private readonly Option<string?> _threads = new("--threads") { HelpName = "N", Description = "Threads; the picture does not depend on them. Default: all processors." };
@@ -49,7 +54,7 @@ internal sealed class RenderSettings
     public static string Word(Precision precision) => s_precisions.First(word => precision.Equals(word.Value)).Key;
 
     /// <summary>All of them, to add to a command.</summary>
-    public IEnumerable<Option> All => [_size, _samples, _budget, _maxSamples, _pattern, _pixelFilter, _seed, _threads, _precision, _filter, _crop, _noSkip, _view];
+    public IEnumerable<Option> All => [_size, _samples, _budget, _maxSamples, _edgeSamples, _pattern, _pixelFilter, _seed, _threads, _precision, _filter, _crop, _noSkip, _view];
 
     /// <summary>The options of a scene with those of the command line in their place.</summary>
     /// <param name="parsed">The command line.</param>
@@ -73,6 +78,7 @@ internal sealed class RenderSettings
             PixelFilter = Given(parsed, _pixelFilter, text => (PixelFilter)OptionText.Word("--pixel-filter", text, s_pixelFilters), scene.PixelFilter),
             ErrorBudget = Given(parsed, _budget, Budget, scene.ErrorBudget),
             MaxSamples = Given(parsed, _maxSamples, text => OptionText.Integer("--max-samples", text, 4, 65536), scene.MaxSamples),
+            EdgeSamples = Given(parsed, _edgeSamples, text => OptionText.Integer("--edge-samples", text, 1, 65536), scene.EdgeSamples),
             Seed = Given(parsed, _seed, text => OptionText.Integer("--seed", text, int.MinValue, int.MaxValue), scene.Seed),
             Threads = Given(parsed, _threads, text => OptionText.Integer("--threads", text, 1, 1024), scene.Threads),
             Precision = Given(parsed, _precision, text => (Precision)OptionText.Word("--precision", text, s_precisions), scene.Precision),

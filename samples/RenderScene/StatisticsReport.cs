@@ -16,8 +16,8 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
     /// <summary>The pictures that were decoded.</summary>
     public IReadOnlyList<PictureReport> Pictures { get; init; } = [];
 
-    /// <summary>Under a budget the mean number.</summary>
-    private string Samples => statistics.EstimatedRmse is null
+    /// <summary>Where pixels take different numbers of samples the mean number.</summary>
+    private string Samples => statistics.EstimatedRmse is null && statistics.EdgePixels == 0
         ? string.Create(CultureInfo.InvariantCulture, $"{options.Samples} samples a pixel")
         : string.Create(CultureInfo.InvariantCulture, $"{MeanSamples:0.00} samples a pixel on average");
 
@@ -41,6 +41,7 @@ internal sealed class StatisticsReport(string scene, string output, RenderOption
     private IReadOnlyList<(string Key, string Words, long Value)> Counts =>
     [
         ("primaryRays", "rays from the camera", statistics.PrimaryRays),
+        ("edgePixels", "  pixels at edges of objects", statistics.EdgePixels),
         ("secondaryRays", "reflected and refracted rays", statistics.SecondaryRays),
         ("secondaryRaysSkipped", "  skipped: too faint to be seen", statistics.SecondaryRaysSkipped),
         ("hits", "visible hits", statistics.Hits),

@@ -13,6 +13,8 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
 
     private static readonly int[] s_samples = [1, 4, 16, 64];
 
+    private static readonly int[] s_edgeSamples = [16, 64];
+
     private static readonly double[] s_budgets = [0.05, 0.02, 0.01, 0.005];
 
     private InnerPixels? _inner;
@@ -37,7 +39,7 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
         return converged;
     }
 
-    /// <summary>All ways: the scene's own filters, each filter, floats, error budgets.</summary>
+    /// <summary>All ways: the scene's own filters, each filter, more samples at edges of objects, floats, error budgets.</summary>
     /// <param name="converged">What pictures are compared with.</param>
     /// <param name="say">Told each point.</param>
     /// <param name="stop">Stops it.</param>
@@ -99,6 +101,11 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
             }
         }
 
+        foreach (int samples in s_edgeSamples)
+        {
+            yield return ("all Ewa, more at edges", Samples(1) + string.Create(CultureInfo.InvariantCulture, $", {samples} at edges"), Options(1, filter: TextureFilter.Ewa, edgeSamples: samples));
+        }
+
         foreach (int samples in s_samples)
         {
             yield return ("own, floats", Samples(samples), Options(samples, precision: Precision.Single));
@@ -113,7 +120,8 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
     private static string Samples(int samples) => string.Create(CultureInfo.InvariantCulture, $"{samples} sample{(samples == 1 ? "" : "s")}");
 
     private RenderOptions Options(
-        int samples, int threads = 1, int seed = 0, TextureFilter? filter = null, SamplePattern pattern = SamplePattern.Regular, Precision precision = Precision.Double, double budget = 0) => new()
+        int samples, int threads = 1, int seed = 0, TextureFilter? filter = null, SamplePattern pattern = SamplePattern.Regular, Precision precision = Precision.Double, double budget = 0,
+        int edgeSamples = 1) => new()
         {
             Width = width,
             Height = height,
@@ -123,6 +131,7 @@ internal sealed class FrontierSweep(LoadedScene scene, int width, int height)
             Filter = filter,
             Precision = precision,
             ErrorBudget = budget,
+            EdgeSamples = edgeSamples,
             Pattern = samples == 1 ? SamplePattern.Regular : pattern,
             PixelFilter = scene.RenderOptions.PixelFilter,
             MaxDepth = scene.RenderOptions.MaxDepth,

@@ -25,6 +25,9 @@ internal static class SettingsFormats
 
     private static readonly Key<int> s_maxSamples = Key.Optional("maxSamples", new IntegerFormat(4, 65536), s_render.MaxSamples, "Most samples a pixel under an error budget.");
 
+    private static readonly Key<int> s_edgeSamples = Key.Optional(
+        "edgeSamples", new IntegerFormat(1, 65536), s_render.EdgeSamples, "Samples of the pixels that edges of objects pass through, where that is more; no effect under an error budget.");
+
     private static readonly Key<int> s_maxDepth = Key.Optional("maxDepth", new IntegerFormat(0, 64), s_render.MaxDepth, "Most reflections and refractions in a row.");
 
     private static readonly Key<int> s_seed = Key.Optional("seed", new IntegerFormat(int.MinValue, int.MaxValue), s_render.Seed, "Number that random choices derive from.");
@@ -49,7 +52,7 @@ internal static class SettingsFormats
 
     /// <summary>How the scene is rendered.</summary>
     public static ObjectFormat<RenderOptions> Render { get; } = new(
-        "render", "How the scene is rendered.", [s_width, s_height, s_samples, s_pattern, s_pixelFilter, s_errorBudget, s_maxSamples, s_maxDepth, s_seed, s_precision], Options);
+        "render", "How the scene is rendered.", [s_width, s_height, s_samples, s_pattern, s_pixelFilter, s_errorBudget, s_maxSamples, s_edgeSamples, s_maxDepth, s_seed, s_precision], Options);
 
     /// <summary>How the picture is written.</summary>
     public static ObjectFormat<SceneOutput> Output { get; } = new(
@@ -80,6 +83,7 @@ internal static class SettingsFormats
             PixelFilter = fields.Get(s_pixelFilter),
             ErrorBudget = fields.Get(s_errorBudget),
             MaxSamples = fields.Get(s_maxSamples),
+            EdgeSamples = fields.Get(s_edgeSamples),
             MaxDepth = fields.Get(s_maxDepth),
             Seed = fields.Get(s_seed),
             Precision = fields.Get(s_precision),

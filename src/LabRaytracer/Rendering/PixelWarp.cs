@@ -31,6 +31,14 @@ internal sealed class PixelWarp
     /// <summary>Integral of the filter's absolute value over its integral, both axes: 1 for filters that are nowhere negative.</summary>
     public double Gain { get; } = 1;
 
+    /// <summary>How many pixels to each side of a pixel the filter reaches.</summary>
+    public int Reach => _filter switch
+    {
+        PixelFilter.Box => 0,
+        PixelFilter.Tent => 1,
+        _ => 2,
+    };
+
     /// <summary>Place of a sample along one axis, pixels from the pixel's left or top edge.</summary>
     /// <param name="even">Evenly distributed, [0, 1).</param>
     public double Place(double even)

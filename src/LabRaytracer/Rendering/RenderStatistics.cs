@@ -13,6 +13,9 @@ public sealed class RenderStatistics
     /// <summary>Rays from the camera.</summary>
     public long PrimaryRays { get; internal set; }
 
+    /// <summary>Pixels near edges of objects, which took more samples; 0 unless <see cref="RenderOptions.EdgeSamples"/> asks for them.</summary>
+    public long EdgePixels { get; internal set; }
+
     /// <summary>Estimated root mean square error of the picture against its converged form, linear light, over all components; null without an error budget.</summary>
     public double? EstimatedRmse { get; internal set; }
 

@@ -1,13 +1,19 @@
 namespace LabRaytracer;
 
 /// <summary>Where the samples of a picture lie: pattern, pixel filter and seed put together.</summary>
-internal sealed class SamplePlaces(RenderOptions options)
+/// <param name="options">Filter, seed, number of samples.</param>
+/// <param name="pattern">The pattern.</param>
+internal sealed class SamplePlaces(RenderOptions options, SamplePattern pattern)
 {
     private readonly PixelWarp _warp = new(options.PixelFilter);
-    private readonly SamplePattern _pattern = options.HasBudget ? SamplePattern.Sobol : options.Pattern;
+    /// <summary>Places of the samples that every pixel takes.</summary>
+    public SamplePlaces(RenderOptions options)
+        : this(options, options.HasBudget ? SamplePattern.Sobol : options.Pattern)
+    {
+    }
 
     /// <summary>Whether samples lie at the same place in all pixels.</summary>
-    public bool IsSame => _pattern == SamplePattern.Regular;
+    public bool IsSame => pattern == SamplePattern.Regular;
 
     /// <summary>The filter.</summary>
     public PixelWarp Warp => _warp;
@@ -17,7 +23,7 @@ internal sealed class SamplePlaces(RenderOptions options)
     /// <param name="pixelY">Row in the whole picture.</param>
     /// <param name="sample">Number of the sample.</param>
     /// <param name="axis">0 for x, 1 for y.</param>
-    public double At(int pixelX, int pixelY, int sample, int axis) => _warp.Place(_pattern switch
+    public double At(int pixelX, int pixelY, int sample, int axis) => _warp.Place(pattern switch
     {
         SamplePattern.Regular => SampleOffsets.Regular(options, sample, axis),
         SamplePattern.Jittered => SampleOffsets.Jittered(options, pixelX, pixelY, sample, axis),

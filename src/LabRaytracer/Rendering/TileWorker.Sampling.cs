@@ -15,6 +15,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     private double SamplePixels(PixelEstimates estimates, int x, int y)
     {
         int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
+        SlotRun run = new(estimates, _places, x, y, _options.FirstSamples);
         estimates.Start(width, height, _options.FirstSamples);
         for (int sample = 0; sample < _options.FirstSamples; sample++)
         {
@@ -23,12 +24,12 @@ internal sealed unsafe partial class TileWorker<R, F, I>
                 (int px, int py) = Place(i);
                 if (px < width && py < height)
                 {
-                    AddSlot(estimates, x, y, new PixelSlot(px, py, sample), _options.FirstSamples);
+                    AddSlot(run, new PixelSlot(px, py, sample));
                 }
             }
         }
 
-        TraceSlots(estimates, x, y, _options.FirstSamples);
+        TraceSlots(run);
         double error = _options.HasBudget ? Refine(estimates, x, y, width * height) : 0;
         for (int row = 0; row < height; row++)
         {
@@ -73,41 +74,39 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     /// <summary>Doubles the samples of those chosen pixels that have a certain number; the footprints of the new ones are smaller, as there are more.</summary>
     private void Double(PixelEstimates estimates, int x, int y, int count)
     {
+        SlotRun run = new(estimates, _places, x, y, 2 * count);
         foreach ((int px, int py) in _chosen)
         {
             for (int sample = count; sample < 2 * count && _chosenCounts[(py * Side) + px] == count; sample++)
             {
-                AddSlot(estimates, x, y, new PixelSlot(px, py, sample), 2 * count);
+                AddSlot(run, new PixelSlot(px, py, sample));
             }
         }
 
-        TraceSlots(estimates, x, y, 2 * count);
+        TraceSlots(run);
     }
 
-    private void AddSlot(PixelEstimates estimates, int x, int y, PixelSlot slot, int samples)
+    private void AddSlot(in SlotRun run, PixelSlot slot)
     {
         _slots[_slotCount++] = slot;
         if (_slotCount == Pixels)
         {
-            TraceSlots(estimates, x, y, samples);
+            TraceSlots(run);
         }
     }
 
     /// <summary>Traces the samples that have been collected.</summary>
-    /// <param name="estimates">Receives their light.</param>
-    /// <param name="x">Column of the tile.</param>
-    /// <param name="y">Row of the tile.</param>
-    /// <param name="samples">Samples that their pixels are about to have.</param>
-    private void TraceSlots(PixelEstimates estimates, int x, int y, int samples)
+    private void TraceSlots(in SlotRun run)
     {
         for (int i = 0; i < _slotCount; i++)
         {
             PixelSlot slot = _slots[i];
-            double atX = _places.At(x + slot.X, y + slot.Y, slot.Sample, 0), atY = _places.At(x + slot.X, y + slot.Y, slot.Sample, 1);
-            _slots[i].IsNegative = _places.Warp.IsNegative(atX, atY);
-            _sampling?.Start(i, x + slot.X, y + slot.Y, slot.Sample);
-            R.Put(_sampleX, i, x + slot.X + atX);
-            R.Put(_sampleY, i, y + slot.Y + atY);
+            int x = run.X + slot.X, y = run.Y + slot.Y;
+            double atX = run.Places.At(x, y, slot.Sample, 0), atY = run.Places.At(x, y, slot.Sample, 1);
+            _slots[i].IsNegative = run.Places.Warp.IsNegative(atX, atY);
+            _sampling?.Start(i, x, y, slot.Sample);
+            R.Put(_sampleX, i, x + atX);
+            R.Put(_sampleY, i, y + atY);
             R.Put(_rays.Limit, i, double.PositiveInfinity);
         }
 
@@ -116,7 +115,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         _rays.Count = _slotCount;
         if (_slotCount > 0)
         {
-            AimCamera(samples);
+            AimCamera(run.Samples);
             _rays.PadTail();
             Counters.Charge(RenderStage.Camera);
             TracePrimary();
@@ -125,11 +124,19 @@ internal sealed unsafe partial class TileWorker<R, F, I>
 
         for (int i = 0; i < _slotCount; i++)
         {
-            estimates.Add(_slots[i].X, _slots[i].Y, _colors.TakeSample(i), _slots[i].IsNegative);
+            run.Sums.Add(_slots[i].X, _slots[i].Y, _colors.TakeSample(i), _slots[i].IsNegative);
         }
 
         _slotCount = 0;
     }
+
+    /// <summary>Where the light of samples goes.</summary>
+    /// <param name="Sums">Sums it up.</param>
+    /// <param name="Places">Where in their pixels the samples lie.</param>
+    /// <param name="X">Column of the tile.</param>
+    /// <param name="Y">Row of the tile.</param>
+    /// <param name="Samples">Samples that the pixels are about to have.</param>
+    private readonly record struct SlotRun(PixelEstimates Sums, SamplePlaces Places, int X, int Y, int Samples);
 
     /// <summary>A sample on its way: a pixel of the tile and the number of its sample.</summary>
     private struct PixelSlot(int x, int y, int sample)

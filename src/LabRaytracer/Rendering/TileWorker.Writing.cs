@@ -35,8 +35,8 @@ internal sealed unsafe partial class TileWorker<R, F, I>
 
         for (int column = 0; _options.View == RenderView.Samples && column < pixels.Length; column++)
         {
-            int samples = _estimates?.Count(column, row) ?? _options.Samples;
-            pixels[column] = SampleHeat.Color(samples);
+            int samples = _estimates?.Count(column, row) ?? _options.Samples, atEdges = _edgeSums?.Count(column, row) ?? 0;
+            pixels[column] = SampleHeat.Color(Math.Max(samples, atEdges));
         }
 
         for (int column = 0; _seams is { } seams && column < pixels.Length; column++)

@@ -52,8 +52,16 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         if (ViewStage.IsColor(options.View) && (options.HasBudget || _places.Warp.IsSigned))
         {
             _estimates = new PixelEstimates(Side, _places.Warp.Gain);
-            _slots = new PixelSlot[Pixels];
         }
+
+        if (options.HasEdges)
+        {
+            _edges = new EdgeMarks(Side, _places.Warp.Reach);
+            _edgeSums = new PixelEstimates(Side, _places.Warp.Gain);
+            _edgePlaces = new SamplePlaces(options, SamplePattern.Sobol);
+        }
+
+        _slots = _estimates is null && _edges is null ? [] : new PixelSlot[Pixels];
 
         _lens = scene.Camera.HasLens && options.View != RenderView.Seam ? new LensStage<R, F, I>(scene.Camera, _sampling!, _memory, Pixels) : null;
         _seams = options.View == RenderView.Seam ? new SeamMarks(Pixels) : null;
@@ -87,6 +95,11 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         else
         {
             SampleAlike(x, y);
+        }
+
+        if (_edges is { } edges)
+        {
+            SampleEdges(edges, _edgeSums!, x, y);
         }
 
         FindSeams(x, y);

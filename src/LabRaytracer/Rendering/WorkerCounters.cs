@@ -8,7 +8,7 @@ internal sealed class WorkerCounters
     private readonly long[] _ticks = new long[Enum.GetValues<RenderStage>().Length];
     private long _since;
 
-    public long PrimaryRays, SecondaryRays, Hits, HitsRefined, LampSamples, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped;
+    public long PrimaryRays, EdgePixels, SecondaryRays, Hits, HitsRefined, LampSamples, ShadowRays, ShadowRaysSkipped, SecondaryRaysSkipped;
 
     public long Mappings, TextureLookups, AlphaTests, ConstantSlots, UnlitHits, NotFinite;
 
@@ -39,6 +39,7 @@ internal sealed class WorkerCounters
     public void AddTo(RenderStatistics statistics, double[] stageSeconds)
     {
         statistics.PrimaryRays += PrimaryRays;
+        statistics.EdgePixels += EdgePixels;
         statistics.SecondaryRays += SecondaryRays;
         statistics.Hits += Hits;
         statistics.HitsRefined += HitsRefined;

@@ -87,6 +87,7 @@ public sealed class RenderVerbTests
     [InlineData("--samples", "5", "4 and 9")]
     [InlineData("--budget", "-1", "at least 0")]
     [InlineData("--budget", "1001", "0 to 1000")]
+    [InlineData("--edge-samples", "0", "1 to 65536")]
     [InlineData("--max-samples", "3", "4 to 65536")]
     [InlineData("--pixel-filter", "mitchel", "did you mean 'mitchell'")]
     [InlineData("--samples", "many", "1 to 65536")]

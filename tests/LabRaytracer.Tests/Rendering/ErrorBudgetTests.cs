@@ -29,8 +29,8 @@ public sealed class ErrorBudgetTests
         {
             Width = Width, Height = Height, ErrorBudget = budget, MaxSamples = 4096, PixelFilter = filter,
         });
-        Assert.InRange(Rmse(converged, result.Picture), budget / 8, budget);
-        Assert.InRange(result.Statistics.EstimatedRmse!.Value, Rmse(converged, result.Picture), budget);
+        Assert.InRange(PictureAssert.Rmse(converged, result.Picture), budget / 8, budget);
+        Assert.InRange(result.Statistics.EstimatedRmse!.Value, PictureAssert.Rmse(converged, result.Picture), budget);
     }
 
     [Fact]
@@ -39,7 +39,7 @@ public sealed class ErrorBudgetTests
         Picture converged = s_converged[PixelFilter.Box].Value;
         Picture alike = Renderer.Render(Edges(), new RenderOptions { Width = Width, Height = Height, Samples = 64, Pattern = SamplePattern.Sobol }).Picture;
         RenderResult result = Renderer.Render(Edges(), Options(0.003));
-        Assert.True(Rmse(converged, result.Picture) < Rmse(converged, alike), $"{Rmse(converged, result.Picture)} {Rmse(converged, alike)}");
+        Assert.True(PictureAssert.Rmse(converged, result.Picture) < PictureAssert.Rmse(converged, alike), $"{PictureAssert.Rmse(converged, result.Picture)} {PictureAssert.Rmse(converged, alike)}");
         Assert.True(result.Statistics.PrimaryRays < 64 * Width * Height / 3, $"{result.Statistics.PrimaryRays / (double)(Width * Height)}");
     }
 
@@ -78,9 +78,9 @@ public sealed class ErrorBudgetTests
             Width = 30, Height = 30, Samples = 4, Pattern = SamplePattern.Sobol, ErrorBudget = budget, MaxSamples = 4, Seed = 3,
         }).Picture;
         Picture converged = Render(1024, 0);
-        double error = Rmse(converged, Render(4, 1)), alike = Rmse(converged, Render(4, 0));
+        double error = PictureAssert.Rmse(converged, Render(4, 1)), alike = PictureAssert.Rmse(converged, Render(4, 0));
         Assert.InRange(error, alike / 1.3, alike * 1.3);
-        Assert.InRange(error, 0, Rmse(converged, Render(2, 0)) / 1.2);
+        Assert.InRange(error, 0, PictureAssert.Rmse(converged, Render(2, 0)) / 1.2);
     }
 
     [Fact]
@@ -148,17 +148,5 @@ public sealed class ErrorBudgetTests
         scene.Add(new Quad(), new Material(), Transform.Translation(new Vector3D(0, 6, 1)));
         scene.Lights.Add(new QuadLight(new Point3D(-4, 12, -4), new Vector3D(8, 0, 0), new Vector3D(0, 0, 8), Intensity.White) { Samples = samples, Sides = LightSides.Both });
         return scene;
-    }
-
-    private static double Rmse(Picture a, Picture b)
-    {
-        double sum = 0;
-        for (int i = 0; i < a.Pixels.Length; i++)
-        {
-            Intensity difference = a.Pixels[i] - b.Pixels[i];
-            sum += ((double)difference.R * difference.R) + ((double)difference.G * difference.G) + ((double)difference.B * difference.B);
-        }
-
-        return Math.Sqrt(sum / (3.0 * a.Pixels.Length));
     }
 }

@@ -8,7 +8,7 @@ public sealed class SceneFileFeatureTests
         // comments and trailing commas are allowed
         {
           "$schema": "scene.schema.json",
-          "render": { "width": 320, "height": 200.0, "samples": 4, "pattern": "jittered", "pixelFilter": "mitchell", "errorBudget": 0.02, "maxSamples": 64, "maxDepth": 7, "seed": -3, "precision": "single" },
+          "render": { "width": 320, "height": 200.0, "samples": 4, "pattern": "jittered", "pixelFilter": "mitchell", "errorBudget": 0.02, "maxSamples": 64, "edgeSamples": 32, "maxDepth": 7, "seed": -3, "precision": "single" },
           "output": { "file": "earth.png", "encoding": "linear", "exposureStops": -1.5, "toneMapping": "reinhard", "bitDepth": 16 },
           "camera": { "type": "perspective", "eye": [0, 1, 4.5], "target": [0, 1, 0], "up": [0, 2, 0], "fieldOfViewDegrees": 55 },
           "background": { "texture": { "type": "constant", "color": [0.1, 0.2, 0.3] }, "value": 0.5 },
@@ -71,7 +71,7 @@ public sealed class SceneFileFeatureTests
         RenderOptions render = s_all.RenderOptions;
         Assert.Equal((320, 200, 4, 7, -3), (render.Width, render.Height, render.Samples, render.MaxDepth, render.Seed));
         Assert.Equal((SamplePattern.Jittered, Precision.Single), (render.Pattern, render.Precision));
-        Assert.Equal((PixelFilter.Mitchell, 0.02, 64), (render.PixelFilter, render.ErrorBudget, render.MaxSamples));
+        Assert.Equal((PixelFilter.Mitchell, 0.02, 64, 32), (render.PixelFilter, render.ErrorBudget, render.MaxSamples, render.EdgeSamples));
         PictureSaveOptions picture = s_all.Output.Picture;
         Assert.Equal("earth.png", s_all.Output.FileName);
         Assert.Equal((16, -1.5, ToneOperator.Reinhard), (picture.BitDepth, picture.ToneMapping.Exposure, picture.ToneMapping.Operator));

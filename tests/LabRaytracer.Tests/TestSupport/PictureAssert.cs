@@ -38,4 +38,17 @@ internal static class PictureAssert
         bool isNear = Math.Abs(expected.R - actual.R) <= tolerance && Math.Abs(expected.G - actual.G) <= tolerance && Math.Abs(expected.B - actual.B) <= tolerance;
         Assert.True(isNear, $"{place}: expected {expected}, got {actual}, allowed difference {tolerance}.");
     }
+
+    /// <summary>Root mean square difference of two pictures, over all components.</summary>
+    public static double Rmse(Picture a, Picture b)
+    {
+        double sum = 0;
+        for (int i = 0; i < a.Pixels.Length; i++)
+        {
+            Intensity difference = a.Pixels[i] - b.Pixels[i];
+            sum += ((double)difference.R * difference.R) + ((double)difference.G * difference.G) + ((double)difference.B * difference.B);
+        }
+
+        return Math.Sqrt(sum / (3.0 * a.Pixels.Length));
+    }
 }

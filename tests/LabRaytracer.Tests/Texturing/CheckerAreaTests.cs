@@ -125,20 +125,8 @@ public sealed class CheckerAreaTests
             Width = 96, Height = 54, Samples = samples, Pattern = samples == 1 ? SamplePattern.Regular : SamplePattern.Jittered, Seed = seed,
         }).Picture;
         Picture converged = Render(PatternFilter.Nearest, 1024, seed: 1);
-        double filtered = Rmse(converged, Render(PatternFilter.Area, 1)), plain = Rmse(converged, Render(PatternFilter.Nearest, 64));
+        double filtered = PictureAssert.Rmse(converged, Render(PatternFilter.Area, 1)), plain = PictureAssert.Rmse(converged, Render(PatternFilter.Nearest, 64));
         Assert.True(filtered < 0.8 * plain, $"{filtered} {plain}");
-    }
-
-    private static double Rmse(Picture a, Picture b)
-    {
-        double sum = 0;
-        for (int i = 0; i < a.Pixels.Length; i++)
-        {
-            double difference = a.Pixels[i].G - b.Pixels[i].G;
-            sum += difference * difference;
-        }
-
-        return Math.Sqrt(sum / a.Pixels.Length);
     }
 
     private static void Near(Intensity expected, Intensity actual)
