@@ -2,7 +2,7 @@ namespace LabRaytracer;
 
 /// <summary>Takes a batch of rays through all stages: hits, groups, surfaces, textures, lamps, secondary rays.</summary>
 /// <remarks>Owned by one worker; nothing is allocated per batch.</remarks>
-internal sealed unsafe class BatchTracer<R, F, I>
+internal sealed unsafe partial class BatchTracer<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -112,70 +112,6 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Counters.HitsRefined += _hits.Refined;
         _secondary.MoveTo(rays.Count, queue);
         Counters.Charge(RenderStage.Combine);
-    }
-
-    /// <summary>Finds out what each ray of a batch sees and where on its default mapping, and nothing else.</summary>
-    /// <param name="rays">The rays.</param>
-    /// <param name="objects">Receives the objects' numbers, or <see cref="HitBatch{R, F, I}.Miss"/>.</param>
-    /// <param name="u">Receives u where an object is seen.</param>
-    public void Probe(RayBatch<R, F, I> rays, int[] objects, double[] u)
-    {
-        _scene.Nearest(rays, _hits);
-        _scene.AlphaSurfaces?.Nearest(rays, _hits, 0, rays.Packets);
-        _groups.Sort(rays, _hits);
-        new ReadOnlySpan<int>((int*)_hits.Object, rays.Count).CopyTo(objects);
-        for (int key = 0; key < _scene.Keys.Count; key++)
-        {
-            int count = _groups.Count[key];
-            int* order = _groups.Order + _groups.Start[key];
-            if (count > 0)
-            {
-                _scene.Keys[key].Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, ViewStage.MappingNeeds);
-            }
-
-            for (int i = 0; i < count; i++)
-            {
-                u[order[i]] = ViewStage.Map(_scene.Keys[key].Material.DefaultMapping, _buffers.Surfaces, i).U;
-            }
-        }
-
-        Counters.Charge(RenderStage.Map);
-    }
-
-    /// <summary>Finds out what each ray of a batch sees, how far away and how it is turned, and nothing else.</summary>
-    /// <param name="rays">The rays.</param>
-    /// <param name="edges">Receives it.</param>
-    /// <param name="first">Number of the corner that the first ray looks at.</param>
-    public void Look(RayBatch<R, F, I> rays, EdgeMarks edges, int first)
-    {
-        _scene.Nearest(rays, _hits);
-        _scene.AlphaSurfaces?.Nearest(rays, _hits, 0, rays.Packets);
-        Counters.Charge(RenderStage.Intersect);
-        _groups.Sort(rays, _hits);
-        for (int key = 0; key < _scene.Keys.Count; key++)
-        {
-            int count = _groups.Count[key];
-            int* order = _groups.Order + _groups.Start[key];
-            if (count > 0)
-            {
-                _scene.Keys[key].Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, SurfaceNeeds.None);
-            }
-
-            SurfaceBatch<R, F, I> s = _buffers.Surfaces;
-            for (int i = 0; i < count; i++)
-            {
-                int ray = order[i];
-                edges.Set(first + ray, ((int*)_hits.Object)[ray], 1 / R.Take(_hits.T, ray), new Vector3D(R.Take(s.ShadingX, i), R.Take(s.ShadingY, i), R.Take(s.ShadingZ, i)));
-            }
-        }
-
-        int* missed = _groups.Order + _groups.Start[_groups.MissKey];
-        for (int i = 0; i < _groups.Count[_groups.MissKey]; i++)
-        {
-            edges.Set(first + missed[i], HitBatch<R, F, I>.Miss, 0, default);
-        }
-
-        Counters.Charge(RenderStage.Surface);
     }
 
     /// <summary>Follows a batch through the surfaces with an opacity before its opaque hits.</summary>
