@@ -9,10 +9,12 @@ namespace LabRaytracer;
 /// Where they are nearly parallel, both trapezoids cut the same texels, and the product is corrected by their correlation (Hoeffding's bounds of a joint probability).</para>
 /// <para>Footprints narrower than a texel are widened to one, at right angles to their longer axis, where the weights become those of linear interpolation.</para>
 /// </remarks>
-internal readonly struct EwaKernel
+/// <param name="numbers">What <see cref="Store"/> wrote, at the lane of the lookup.</param>
+/// <param name="width">Lanes of the group.</param>
+internal readonly unsafe struct EwaKernel(float* numbers, int width)
 {
-    /// <summary>How many numbers <see cref="Store"/> writes for each lookup.</summary>
-    public const int Numbers = 11;
+    /// <summary>How many groups of numbers <see cref="Store"/> writes for a group of lookups.</summary>
+    public const int Numbers = 13;
 
     /// <summary>Components of grad s below this one, in 1/texels, do not bound a row: the other sides do.</summary>
     private const double LeastGradient = 1.0 / 4096;
@@ -20,61 +22,55 @@ internal readonly struct EwaKernel
     /// <summary>Stands for no bound, texels.</summary>
     private const double Far = 1e6;
 
-    /// <summary>s and t, in units in which the trapezoids fall by 1 over 1, and where they reach 0.</summary>
-    public readonly float SX, SY, SEnd, TX, TY, TEnd;
+    /// <summary>s of a step along a row, in units in which its trapezoid falls by 1 over 1.</summary>
+    public float SX => numbers[0];
+
+    /// <summary>s of a step across the rows.</summary>
+    public float SY => numbers[width];
+
+    /// <summary>Where the trapezoid of s reaches 0.</summary>
+    public float SEnd => numbers[2 * width];
+
+    /// <summary>t of a step along a row, in units in which its trapezoid falls by 1 over 1.</summary>
+    public float TX => numbers[3 * width];
+
+    /// <summary>t of a step across the rows.</summary>
+    public float TY => numbers[4 * width];
+
+    /// <summary>Where the trapezoid of t reaches 0.</summary>
+    public float TEnd => numbers[5 * width];
 
     /// <summary>0 where the sides are at right angles, up to 1 or -1 where they are parallel.</summary>
-    public readonly float Skew;
+    public float Skew => numbers[6 * width];
 
-    /// <summary>Half the extent, texels.</summary>
-    public readonly float ReachX, ReachY;
+    /// <summary>Half the extent along rows, texels.</summary>
+    public float ReachX => numbers[7 * width];
 
-    /// <summary>
-    /// Where pairs of rows cross the narrower of both strips: the middle moves by the slant a row, texels within the reach of it can lie inside.
-    /// </summary>
-    public readonly float Slant, Reach;
+    /// <summary>Half the extent across the rows, texels.</summary>
+    public float ReachY => numbers[8 * width];
 
-    /// <summary>Centre, texels, from the centre of the texel below and to the left, [0, 1).</summary>
-    public readonly float CenterX, CenterY;
+    /// <summary>Where pairs of rows cross the narrower of both strips: the middle moves by this much a row.</summary>
+    public float Slant => numbers[9 * width];
 
-    /// <summary>That texel.</summary>
-    public readonly int Column, Row;
+    /// <summary>Texels of a pair of rows within this reach of the middle can lie inside.</summary>
+    public float Reach => numbers[10 * width];
 
+    /// <summary>Centre along a row, texels, from the centre of the texel to the left, [0, 1).</summary>
+    public float CenterX => numbers[11 * width];
 
-    /// <summary>One lookup of a group.</summary>
-    /// <param name="numbers">What <see cref="Store"/> wrote, at the lane.</param>
-    /// <param name="width">Lanes of the group.</param>
-    /// <param name="x">Centre along a row, where centres of texels are whole numbers.</param>
-    /// <param name="y">Centre across the rows.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public unsafe EwaKernel(float* numbers, int width, double x, double y)
-    {
-        SX = numbers[0];
-        SY = numbers[width];
-        SEnd = numbers[2 * width];
-        TX = numbers[3 * width];
-        TY = numbers[4 * width];
-        TEnd = numbers[5 * width];
-        Skew = numbers[6 * width];
-        ReachX = numbers[7 * width];
-        ReachY = numbers[8 * width];
-        Slant = numbers[9 * width];
-        Reach = numbers[10 * width];
-        double left = Math.Floor(x), below = Math.Floor(y);
-        Column = double.ConvertToIntegerNative<int>(left);
-        Row = double.ConvertToIntegerNative<int>(below);
-        CenterX = (float)(x - left);
-        CenterY = (float)(y - below);
-    }
+    /// <summary>Centre across the rows, texels, from the centre of the texel below, [0, 1).</summary>
+    public float CenterY => numbers[12 * width];
 
     /// <summary>Writes the numbers of a group of lookups.</summary>
     /// <param name="ax">First side of the footprint along rows, texels of the level.</param>
     /// <param name="ay">First side across.</param>
     /// <param name="bx">Second side along rows.</param>
     /// <param name="by">Second side across.</param>
+    /// <param name="centerX">Centre along a row, texels, from the centre of the texel to the left, [0, 1).</param>
+    /// <param name="centerY">Centre across the rows, texels, from the centre of the texel below, [0, 1).</param>
     /// <param name="numbers">Receives <see cref="Numbers"/> groups of lanes.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static unsafe void Store<F>(F ax, F ay, F bx, F by, F* numbers)
+    public static void Store<F>(F ax, F ay, F bx, F by, F centerX, F centerY, F* numbers)
         where F : unmanaged, IReal<F>
     {
         F one = F.Of(1), half = F.Of(0.5);
@@ -99,6 +95,8 @@ internal readonly struct EwaKernel
         F isS = F.Less(reachS, reachT);
         numbers[9] = F.Select(isS, slantS, slantT);
         numbers[10] = F.Select(isS, reachS, reachT);
+        numbers[11] = centerX;
+        numbers[12] = centerY;
     }
 
     /// <summary>Where a strip between two sides crosses rows: its middle moves by the slant a row; half its width, and what it moves over half a row.</summary>

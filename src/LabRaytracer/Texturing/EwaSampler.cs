@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -34,61 +35,73 @@ internal sealed unsafe class EwaSampler<TReader>(
         int fallbacks = 0;
         for (int packet = 0; packet < packets; packet++)
         {
-            uint large = F.Bits(F.Less(F.Of(1), sizes[packet]));
-            if (large != 0)
+            if (F.Any(F.Less(F.Of(1), sizes[packet])))
             {
-                fallbacks += Average<R, F, I>(lookups, across, up, large, colors, packet);
+                fallbacks += Average<R, F, I>(lookups, across, up, colors, packet);
             }
         }
 
         CountFallbacks(fallbacks);
     }
 
-    /// <summary>Averages over the footprints of some lanes.</summary>
+    /// <summary>Averages over the footprints of a group of lanes, where they are larger than a texel.</summary>
     /// <returns>How many were too long.</returns>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private int Average<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, uint large, in ColorColumns<F> colors, int packet)
+    private int Average<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, in ColorColumns<F> colors, int packet)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
         Sides<F> sides = new(lookups.Footprints, across, up, packet);
-        F level = sides.Level(Pyramid.LevelCount - 1, out F isTooLong);
-        I number = F.ToInt32(level);
-        F columns = F.FromInt32(I.Gather(Pyramid.Widths, number)), rows = F.FromInt32(I.Gather(Pyramid.Heights, number));
-        F* numbers = stackalloc F[EwaKernel.Numbers + 2];
-        sides.Store(columns, rows, numbers);
-        numbers[EwaKernel.Numbers] = level;
-        numbers[EwaKernel.Numbers + 1] = F.Min((sides.LongerSquare - F.Of(1)) * F.Of(1.0 / 3), F.Of(1));
         R u = lookups.Coordinates.U[packet], v = lookups.Coordinates.V[packet];
-        R* places = stackalloc R[2];
-        places[0] = R.Fma(Place(across, u), R.FromSingle(columns), R.Of(-0.5));
-        places[1] = R.Fma(Place(up, v), R.FromSingle(rows), R.Of(-0.5));
-        large &= ~R.Bits(across.Outside(u) | up.Outside(v));
-        int first = packet * F.Width, width = F.Width;
-        for (uint open = large; open != 0; open &= open - 1)
+        F isLarge = F.Less(F.Of(1), sides.LongerSquare) & ~R.MaskToSingle(across.Outside(u) | up.Outside(v));
+        F level = sides.Level(Pyramid.LevelCount - 1, out F isTooLong);
+        Require(level, isLarge);
+
+        I number = F.ToInt32(level), width = I.Gather(Pyramid.Widths, number), height = I.Gather(Pyramid.Heights, number);
+        F columns = F.FromInt32(width), rows = F.FromInt32(height);
+        R x = R.Fma(Place(across, u), R.FromSingle(columns), R.Of(-0.5)), y = R.Fma(Place(up, v), R.FromSingle(rows), R.Of(-0.5)), left = R.Floor(x), below = R.Floor(y);
+        F* kernels = stackalloc F[EwaKernel.Numbers];
+        sides.Store(columns, rows, R.ToSingle(x - left), R.ToSingle(y - below), kernels);
+        I column = R.ToInt32(left), row = R.ToInt32(below);
+        int* places = stackalloc int[EwaPlace.Numbers * F.Width];
+        EwaPlace.Store(Pyramid, number, column, row, places);
+        F isInner = F.MaskFromInt32(EwaPlace.IsInside(column, width, F.ToInt32(kernels[7])) & EwaPlace.IsInside(row, height, F.ToInt32(kernels[8])));
+        isInner = Pyramid.HasPicture ? isInner : isInner & F.LessOrEqual(F.Of(1), level);
+        Float4* means = stackalloc Float4[Math.Max(F.Width, 4)];
+        uint inner = F.Bits(isInner);
+        for (uint open = F.Bits(isLarge); open != 0; open &= open - 1)
         {
-            int lane = System.Numerics.BitOperations.TrailingZeroCount(open), next = System.Numerics.BitOperations.TrailingZeroCount(open & (open - 1));
-            float* n = (float*)numbers + lane;
-            if (next < width)
+            int lane = BitOperations.TrailingZeroCount(open), next = BitOperations.TrailingZeroCount(open & (open - 1));
+            if (next < F.Width && (inner >> next & 1) != 0)
             {
-                Prefetch((int)n[(EwaKernel.Numbers * width) + next - lane], new EwaKernel(n + next - lane, width, R.Take(places, next), R.Take(places + 1, next)));
+                Prefetch(new EwaPlace(places + next, F.Width), new EwaKernel((float*)kernels + next, F.Width));
             }
 
-            Float4 mean = Mean((int)n[EwaKernel.Numbers * width], across.Wrap, up.Wrap, new EwaKernel(n, width, R.Take(places, lane), R.Take(places + 1, lane)));
-            float share = n[(EwaKernel.Numbers + 1) * width];
-            Intensity color = new((float)Float4.Get(mean, 0), (float)Float4.Get(mean, 1), (float)Float4.Get(mean, 2));
-            colors.Put(first + lane, share >= 1 ? color : Intensity.Lerp(colors.Take(first + lane), color, share));
+            means[lane] = Mean(new EwaPlace(places + lane, F.Width), across.Wrap, up.Wrap, new EwaKernel((float*)kernels + lane, F.Width), (inner >> lane & 1) != 0);
         }
 
-        return System.Numerics.BitOperations.PopCount(F.Bits(isTooLong) & large);
+        LaneTriples.Turn(means, out F red, out F green, out F blue);
+        F share = F.Min((sides.LongerSquare - F.Of(1)) * F.Of(1.0 / 3), F.Of(1)), isWhole = F.LessOrEqual(F.Of(1), share);
+        Mix(ref colors.R[packet], red, share, isWhole, isLarge);
+        Mix(ref colors.G[packet], green, share, isWhole, isLarge);
+        Mix(ref colors.B[packet], blue, share, isWhole, isLarge);
+        return BitOperations.PopCount(F.Bits(isTooLong & isLarge));
     }
 
-    private void Require(int level)
+    /// <summary>Between a bilinear colour and the mean of a footprint.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Mix<F>(ref F color, F mean, F share, F isWhole, F isLarge)
+        where F : unmanaged, IReal<F> =>
+        color = F.Select(isLarge, F.Select(isWhole, mean, color + ((mean - color) * share)), color);
+
+    /// <summary>Makes sure that the levels of some lanes are there.</summary>
+    private void Require<F>(F level, F isRead)
+        where F : unmanaged, IReal<F>
     {
-        Pyramid.Require(level, Threads);
-        if (level == 0 && Pyramid.HasPicture)
+        Pyramid.Require((int)F.Largest(F.Select(isRead, level, F.Zero)), Threads);
+        if (Pyramid.HasPicture && F.Any(isRead & F.Less(level, F.Of(1))))
         {
             Pyramid.RequirePicture();
         }
@@ -96,19 +109,13 @@ internal sealed unsafe class EwaSampler<TReader>(
 
     /// <summary>Asks the memory for the texels of the next lookup, whose rows lie far apart.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Prefetch(int level, in EwaKernel kernel)
+    private void Prefetch(EwaPlace place, EwaKernel kernel)
     {
-        if (level == 0 && !Pyramid.HasPicture)
-        {
-            return;
-        }
-
-        nint stride = MipPyramid.Channels * Pyramid.Strides[level];
+        nint stride = MipPyramid.Channels * place.Stride;
         int reach = (int)kernel.ReachY;
-        int first = Math.Max(-reach, -kernel.Row), end = Math.Min(reach + 1, Pyramid.Heights[level] - 1 - kernel.Row);
-        float* row = Pyramid.Texels + (MipPyramid.Channels * (Pyramid.Starts[level] + (nint)kernel.Column)) + ((kernel.Row + first) * stride);
-        float x = kernel.Slant * first * MipPyramid.Channels, step = kernel.Slant * MipPyramid.Channels;
-        for (int y = first; y <= end; y++)
+        float* row = Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel) - (reach * stride);
+        float step = kernel.Slant * MipPyramid.Channels, x = -reach * step;
+        for (int y = -reach; y <= reach + 1; y++)
         {
             CacheLine.Prefetch(row + float.ConvertToIntegerNative<int>(x));
             row += stride;
@@ -116,38 +123,36 @@ internal sealed unsafe class EwaSampler<TReader>(
         }
     }
 
-    /// <summary>The mean over one footprint.</summary>
-    private Float4 Mean(int level, TextureWrap wrapU, TextureWrap wrapV, in EwaKernel kernel)
+    /// <summary>The mean over one footprint: red, green, blue, 1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Float4 Mean(EwaPlace place, TextureWrap wrapU, TextureWrap wrapV, EwaKernel kernel, bool isInner)
     {
-        Require(level);
-        int width = Pyramid.Widths[level], height = Pyramid.Heights[level];
-        bool isPacked = level == 0 && !Pyramid.HasPicture;
-
-        // Blocks may begin up to a texel before the reach and end three behind it.
-        int reachX = (int)kernel.ReachX + 2, reachY = (int)kernel.ReachY + 2;
-        bool isInside = !isPacked && kernel.Column >= reachX && kernel.Column < width - reachX - 4 && kernel.Row >= reachY && kernel.Row < height - reachY - 2;
-        if (isInside)
+        if (!isInner)
         {
-            nint stride = Pyramid.Strides[level];
-            nint center = Pyramid.Starts[level] + (kernel.Row * stride) + kernel.Column;
-            EwaInnerBlocks inner = new(Pyramid.Texels + (MipPyramid.Channels * center), MipPyramid.Channels * stride);
-            return kernel.Skew == 0 ? Sum<EwaInnerBlocks, Straight>(ref inner, kernel) : Sum<EwaInnerBlocks, Skewed>(ref inner, kernel);
+            return OuterMean(place, wrapU, wrapV, kernel);
         }
 
-        EwaLevel texels = new(Pyramid, level, Start, wrapU, wrapV);
-        if (isPacked)
+        EwaInnerBlocks inner = new(Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel), MipPyramid.Channels * place.Stride);
+        return kernel.Skew == 0 ? Sum<EwaInnerBlocks, Straight>(ref inner, kernel) : Sum<EwaInnerBlocks, Skewed>(ref inner, kernel);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private Float4 OuterMean(EwaPlace place, TextureWrap wrapU, TextureWrap wrapV, EwaKernel kernel)
+    {
+        EwaLevel texels = new(Pyramid, place.Level, Start, wrapU, wrapV);
+        if (place.Level == 0 && !Pyramid.HasPicture)
         {
-            EwaPackedBlocks<TReader> packed = new(texels, Reader, kernel.Column, kernel.Row);
+            EwaPackedBlocks<TReader> packed = new(texels, Reader, place.Column, place.Row);
             return Sum<EwaPackedBlocks<TReader>, Skewed>(ref packed, kernel);
         }
 
-        EwaOuterBlocks outer = new(texels, Pyramid, kernel.Column, kernel.Row);
+        EwaOuterBlocks outer = new(texels, Pyramid, place.Column, place.Row);
         return kernel.Skew == 0 ? Sum<EwaOuterBlocks, Straight>(ref outer, kernel) : Sum<EwaOuterBlocks, Skewed>(ref outer, kernel);
     }
 
     /// <summary>The mean of texels by their weights.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Float4 Sum<TBlocks, TWeights>(ref TBlocks blocks, in EwaKernel kernel)
+    private static Float4 Sum<TBlocks, TWeights>(ref TBlocks blocks, EwaKernel kernel)
         where TBlocks : struct, IEwaBlocks
         where TWeights : struct, IEwaWeights
     {
@@ -217,10 +222,10 @@ internal sealed unsafe class EwaSampler<TReader>(
         }
 
         /// <summary>Writes the weights of texels of a level.</summary>
-        public void Store(F columns, F rows, F* numbers)
+        public void Store(F columns, F rows, F centerX, F centerY, F* numbers)
         {
             F x = columns / _w, y = rows / _h;
-            EwaKernel.Store(_ax * x, _ay * y, _bx * x, _by * y, numbers);
+            EwaKernel.Store(_ax * x, _ay * y, _bx * x, _by * y, centerX, centerY, numbers);
         }
 
         /// <summary>A step no longer than the picture; what is not a number stays so.</summary>

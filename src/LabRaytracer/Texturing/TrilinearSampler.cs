@@ -150,24 +150,13 @@ internal sealed unsafe class TrilinearSampler<TReader>(
         F* both = stackalloc F[2];
         (both[0], both[1]) = (right, above);
         float* shares = (float*)both;
-        if (F.Width < 4)
+        Float4* colors = stackalloc Float4[Math.Max(F.Width, 4)];
+        for (int lane = 0; lane < F.Width; lane++)
         {
-            Float4 color = Between(texels, places, shares, F.Width);
-            (red, green, blue) = (F.Of(Float4.Get(color, 0)), F.Of(Float4.Get(color, 1)), F.Of(Float4.Get(color, 2)));
-            return;
+            colors[lane] = Between(texels, places + lane, shares + lane, F.Width);
         }
 
-        F* colors = stackalloc F[3];
-        for (int lane = 0; lane < F.Width; lane += 4)
-        {
-            float* at = (float*)colors + lane;
-            Float4.Turn(
-                Between(texels, places + lane, shares + lane, F.Width), Between(texels, places + lane + 1, shares + lane + 1, F.Width),
-                Between(texels, places + lane + 2, shares + lane + 2, F.Width), Between(texels, places + lane + 3, shares + lane + 3, F.Width),
-                out *(Float4*)at, out *(Float4*)(at + F.Width), out *(Float4*)(at + (2 * F.Width)));
-        }
-
-        (red, green, blue) = (colors[0], colors[1], colors[2]);
+        LaneTriples.Turn(colors, out red, out green, out blue);
     }
 
     /// <summary>The colour of one lane: four places and two shares, a group of lanes apart.</summary>

@@ -7,6 +7,30 @@ namespace LabRaytracer;
 /// <summary>Three columns of floats, written as triples one after the other.</summary>
 internal static unsafe class LaneTriples
 {
+    /// <summary>Rows of four numbers become columns of their first three.</summary>
+    /// <param name="rows">As many rows as lanes, and at least four.</param>
+    /// <param name="x">The first numbers.</param>
+    /// <param name="y">The second numbers.</param>
+    /// <param name="z">The third numbers.</param>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Turn<F>(Float4* rows, out F x, out F y, out F z)
+        where F : unmanaged, IReal<F>
+    {
+        F* columns = stackalloc F[3 * Math.Max(1, Float4.Width / F.Width)];
+        float* column = (float*)columns;
+        for (int row = 0; row < F.Width; row += Float4.Width)
+        {
+            Float4.Turn(rows[row], rows[row + 1], rows[row + 2], rows[row + 3], out *(Float4*)(column + row), out *(Float4*)(column + Stride<F>() + row), out *(Float4*)(column + (2 * Stride<F>()) + row));
+        }
+
+        (x, y, z) = (*(F*)column, *(F*)(column + Stride<F>()), *(F*)(column + (2 * Stride<F>())));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Stride<F>()
+        where F : unmanaged, IReal<F> => Math.Max(F.Width, Float4.Width);
+
     /// <summary>Writes x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3.</summary>
     /// <param name="x">Four numbers.</param>
     /// <param name="y">Four numbers.</param>
