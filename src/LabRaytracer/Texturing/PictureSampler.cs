@@ -61,32 +61,49 @@ internal sealed unsafe class PictureSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        F* memory = stackalloc F[BilinearBlock<F, I>.Size];
-        BilinearBlock<F, I> block = new(memory);
+        const int Packets = BilinearBlock<F, I>.Packets;
+        F* memory = stackalloc F[2 * BilinearBlock<F, I>.Size];
+        BilinearBlock<F, I> block = new(memory), next = new(memory + BilinearBlock<F, I>.Size);
         bool isUsual = TexelPairs.Fits(across) && TexelPairs.Fits(up);
-        for (int first = 0; first < packets; first += BilinearBlock<F, I>.Packets)
+        int count = Math.Min(packets, Packets);
+        Locate<R, F, I>(across, up, isUsual, u, v, block, count);
+        for (int k = 0; k < count && store.IsLarge; k++)
         {
-            int count = Math.Min(packets - first, BilinearBlock<F, I>.Packets);
-            if (isUsual)
-            {
-                TexelPairs.Locate<R, F, I>(across, up, store.Start, u + first, v + first, block, count);
-            }
+            Prefetch(block, k);
+        }
 
-            for (int k = 0; k < count && !isUsual; k++)
-            {
-                Locate<R, F, I>(across, up, u[first + k], v[first + k], block, k);
-            }
-
-            if (store.IsLarge)
-            {
-                Prefetch((int*)block.Below, count * I.Width);
-                Prefetch((int*)block.Above, count * I.Width);
-            }
-
+        for (int first = 0; first < packets; first += Packets)
+        {
+            int ahead = Math.Clamp(packets - first - Packets, 0, Packets);
+            Locate<R, F, I>(across, up, isUsual, u + first + Packets, v + first + Packets, next, ahead);
             for (int k = 0; k < count; k++)
             {
+                if (k < ahead && store.IsLarge)
+                {
+                    Prefetch(next, k);
+                }
+
                 Mix(block, k, colors, first + k);
             }
+
+            (block, next, count) = (next, block, ahead);
+        }
+    }
+
+    /// <summary>Finds the texels of some groups of lanes.</summary>
+    private void Locate<R, F, I>(in TexelAxis across, in TexelAxis up, bool isUsual, R* u, R* v, in BilinearBlock<F, I> block, int count)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (isUsual)
+        {
+            TexelPairs.Locate<R, F, I>(across, up, store.Start, u, v, block, count);
+        }
+
+        for (int k = 0; k < count && !isUsual; k++)
+        {
+            Locate<R, F, I>(across, up, u[k], v[k], block, k);
         }
     }
 
@@ -104,12 +121,17 @@ internal sealed unsafe class PictureSampler<TReader>(
         block.Across[k] = x1 - x0;
     }
 
-    /// <summary>Asks the memory for texels.</summary>
-    private void Prefetch(int* texels, int count)
+    /// <summary>Asks the memory for the texels of one group of lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Prefetch<F, I>(in BilinearBlock<F, I> block, int k)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
     {
-        for (int k = 0; k < count; k++)
+        int* below = (int*)(block.Below + k), above = (int*)(block.Above + k);
+        for (int lane = 0; lane < I.Width; lane++)
         {
-            reader.Prefetch(texels[k]);
+            reader.Prefetch(below[lane]);
+            reader.Prefetch(above[lane]);
         }
     }
 
