@@ -59,7 +59,7 @@ internal sealed unsafe class ShadowBounds<R, F, I>(RayBatch<R, F, I> rays)
         }
 
         Point3D least = new(Lane.Least(leastX), Lane.Least(leastY), Lane.Least(leastZ));
-        Point3D largest = new(-Lane.Least(-largestX), -Lane.Least(-largestY), -Lane.Least(-largestZ));
+        Point3D largest = new(R.Largest(largestX), R.Largest(largestY), R.Largest(largestZ));
         return new RayBounds(least, largest, end - largest, end - least, 0, least.X <= largest.X ? WholeWay : -1);
     }
 }

@@ -113,7 +113,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
             bottom = R.Max(bottom, y[packet]);
         }
 
-        return (Lane.Least(left), -Lane.Least(-right), Lane.Least(top), -Lane.Least(-bottom));
+        return (Lane.Least(left), R.Largest(right), Lane.Least(top), R.Largest(bottom));
     }
 
     private void AimRays()
