@@ -8,6 +8,23 @@ internal sealed unsafe partial class LightStage<R, F, I>
 {
     private readonly ShadowBounds<R, F, I> _bounds = new(buffers.ShadowRays);
 
+    /// <summary>The light of one sample of a lamp, and shadow rays to it.</summary>
+    private void Aim(int lamp, int sample, int count, int packets)
+    {
+        if (scene.Lights[lamp] is PointLight point && scene.IsSkipping)
+        {
+            int aimed = PointShadows.Aim(point, buffers, _bounds.Bundles, packets, count);
+            counters.ShadowRays += aimed;
+            counters.ShadowRaysSkipped += count - aimed;
+            buffers.ShadowRays.Bounds = _bounds.Bundles;
+            return;
+        }
+
+        lamps.Sample(lamp, sample, count, packets);
+        AimShadowRays(packets, count);
+        buffers.ShadowRays.Bounds = scene.IsSkipping ? _bounds.Find(scene.Lights[lamp]) : null;
+    }
+
     /// <summary>Mask of the hits that a lamp can light.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private R IsReached(int packet)
