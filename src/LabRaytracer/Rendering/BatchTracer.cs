@@ -62,8 +62,8 @@ internal sealed unsafe class BatchTracer<R, F, I>
     /// <summary>Counts and times.</summary>
     public WorkerCounters Counters { get; }
 
-    /// <summary>Result: light that each ray of the batch brings, unweighted.</summary>
-    public ColorColumns<F> Radiance { get; }
+    /// <summary>Result: light that each ray of the batch brings, unweighted. Whoever keeps the columns gives others for them.</summary>
+    public ColorColumns<F> Radiance { get; set; }
 
     /// <summary>Weight of each ray of the batch.</summary>
     public Intensity[] Weights { get; }

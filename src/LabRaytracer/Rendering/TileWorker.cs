@@ -151,7 +151,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
 
         _queue.Clear();
         _tracer.Trace(_rays, 0, _queue);
-        _colors.SetSample(_tracer.Radiance);
+        _tracer.Radiance = _colors.SetSample(_tracer.Radiance);
     }
 
     /// <summary>Level after level of reflection and refraction; each in batches, in the order in which they arose.</summary>
