@@ -36,7 +36,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         _steps = FilterView.Is(options.View) ? StepNeeds.Local | StepNeeds.SurfaceGradient : StepNeeds.None;
         HasDifferentials = scene.NeedsDifferentials || FilterView.Is(options.View);
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, HasDifferentials);
-        _secondary = new SecondaryRays(capacity, HasDifferentials);
+        _secondary = new SecondaryRays(capacity);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity, scene.IsSkipping);
         Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
@@ -81,6 +81,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
     public void Trace(RayBatch<R, F, I> rays, int depth, SecondaryQueue queue)
     {
         _sampling?.StartDepth(depth);
+        _secondary.Start(queue);
         Tally?.Add(rays);
         _scene.Nearest(rays, _hits);
         Counters.Charge(RenderStage.Intersect);
@@ -110,7 +111,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         }
 
         Counters.HitsRefined += _hits.Refined;
-        _secondary.MoveTo(rays.Count, queue);
+        _secondary.LineUp(rays.Count);
         Counters.Charge(RenderStage.Combine);
     }
 

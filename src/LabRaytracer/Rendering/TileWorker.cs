@@ -187,7 +187,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         for (int i = 0; i < count; i++)
         {
             ref readonly SecondaryRay secondary = ref _queue[first + i];
-            _rays.Set(i, secondary.Ray);
+            _rays.Set(i, secondary.OriginX, secondary.OriginY, secondary.OriginZ, secondary.DirectionX, secondary.DirectionY, secondary.DirectionZ);
             R.Put(_rays.Limit, i, double.PositiveInfinity);
             if (_rays.HasDifferentials)
             {
