@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Takes a batch of rays through all stages: hits, groups, surfaces, textures, lamps, secondary rays.</summary>
@@ -277,9 +279,19 @@ internal sealed unsafe class BatchTracer<R, F, I>
             return;
         }
 
-        for (int i = 0; i < count; i++)
+        for (int first = 0; first < count; first += F.Width)
         {
-            to[order[i]] = from[i];
+            int end = Math.Min(first + F.Width, count);
+            if (end - first == F.Width && order[end - 1] - order[first] == F.Width - 1)
+            {
+                Unsafe.WriteUnaligned(to + order[first], *(F*)(from + first));
+                continue;
+            }
+
+            for (int i = first; i < end; i++)
+            {
+                to[order[i]] = from[i];
+            }
         }
     }
 }

@@ -8,12 +8,15 @@ internal sealed unsafe partial class LightStage<R, F, I>
 {
     private readonly ShadowBounds<R, F, I> _bounds = new(buffers.ShadowRays);
 
+    /// <summary>Tells whether light and shadow rays of a lamp are made in one pass, with cosines.</summary>
+    private bool IsUsual(int lamp) => scene.Lights[lamp] is PointLight && scene.IsSkipping;
+
     /// <summary>The light of one sample of a lamp, and shadow rays to it.</summary>
     private void Aim(int lamp, int sample, int count, int packets)
     {
-        if (scene.Lights[lamp] is PointLight point && scene.IsSkipping)
+        if (IsUsual(lamp))
         {
-            int aimed = PointShadows.Aim(point, buffers, _bounds.Bundles, packets, count);
+            int aimed = PointShadows.Aim((PointLight)scene.Lights[lamp], buffers, _bounds.Bundles, packets, count);
             counters.ShadowRays += aimed;
             counters.ShadowRaysSkipped += count - aimed;
             buffers.ShadowRays.Bounds = _bounds.Bundles;

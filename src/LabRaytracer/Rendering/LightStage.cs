@@ -137,16 +137,16 @@ internal sealed unsafe partial class LightStage<R, F, I>(
 
             if (material.IsLit)
             {
-                Add(material, packets, count);
+                Add(material, packets, count, IsUsual(lamp));
             }
         }
     }
 
-    private void Add(CompiledMaterial material, int packets, int count)
+    private void Add(CompiledMaterial material, int packets, int count, bool knowsCosines)
     {
         if (MatteLight.IsMatte(material))
         {
-            MatteLight.Add(material, buffers, packets);
+            MatteLight.Add(material, buffers, packets, knowsCosines);
             return;
         }
 

@@ -8,7 +8,7 @@ namespace LabRaytracer;
 [SkipLocalsInit]
 internal static unsafe class PointShadows
 {
-    /// <summary>Fills the light and the shadow rays of a group of hits; rays are off where the surface faces away or no light arrives.</summary>
+    /// <summary>Fills the light, with cosines, and the shadow rays of a group of hits; rays are off where the surface faces away or no light arrives.</summary>
     /// <param name="lamp">The lamp.</param>
     /// <param name="buffers">The hits; receives light and rays.</param>
     /// <param name="bounds">Receives bounds of the rays, bundle by bundle.</param>
@@ -31,6 +31,7 @@ internal static unsafe class PointShadows
             s.Slack,
             new(light.DirectionX, light.DirectionY, light.DirectionZ),
             light.Intensity,
+            light.Cosine,
             new(rays.OriginX, rays.OriginY, rays.OriginZ),
             rays.Limit);
         PointLight.Formula formula = lamp.Own;
@@ -71,12 +72,16 @@ internal static unsafe class PointShadows
             F share = R.ToSingle(light.Share), r = red * share, g = green * share, b = blue * share;
             (to.Intensity.R[packet], to.Intensity.G[packet], to.Intensity.B[packet]) = (r, g, b);
             R lit = R.MaskFromSingle(F.Less(F.Zero, F.Max(r, F.Max(g, b)))) & R.Less(R.Zero, Lane.Dot(nx, ny, nz, light.DirectionX, light.DirectionY, light.DirectionZ));
+            F tiltX = R.ToSingle(nx), tiltY = R.ToSingle(ny), tiltZ = R.ToSingle(nz);
             if (to.Shading.X != to.Normal.X)
             {
-                lit &= R.Less(R.Zero, Lane.Dot(
-                    to.Shading.X[packet], to.Shading.Y[packet], to.Shading.Z[packet], light.DirectionX, light.DirectionY, light.DirectionZ));
+                R sx = to.Shading.X[packet], sy = to.Shading.Y[packet], sz = to.Shading.Z[packet];
+                lit &= R.Less(R.Zero, Lane.Dot(sx, sy, sz, light.DirectionX, light.DirectionY, light.DirectionZ));
+                (tiltX, tiltY, tiltZ) = (R.ToSingle(sx), R.ToSingle(sy), R.ToSingle(sz));
             }
 
+            to.Cosine[packet] = F.Max(
+                Lane.Dot(tiltX, tiltY, tiltZ, R.ToSingle(light.DirectionX), R.ToSingle(light.DirectionY), R.ToSingle(light.DirectionZ)), F.Zero);
             R slack = to.Slack[packet];
             x = R.Fma(slack, nx, x);
             y = R.Fma(slack, ny, y);
@@ -109,7 +114,8 @@ internal static unsafe class PointShadows
 
     /// <summary>What is read and written.</summary>
     private readonly struct Columns<R, F>(
-        VectorColumns<R> point, VectorColumns<R> normal, VectorColumns<R> shading, R* slack, VectorColumns<R> direction, ColorColumns<F> intensity, VectorColumns<R> origin, R* limit)
+        VectorColumns<R> point, VectorColumns<R> normal, VectorColumns<R> shading, R* slack, VectorColumns<R> direction, ColorColumns<F> intensity, F* cosine,
+        VectorColumns<R> origin, R* limit)
         where R : unmanaged, IReal<R>
         where F : unmanaged, IReal<F>
     {
@@ -117,6 +123,7 @@ internal static unsafe class PointShadows
         public readonly R* Slack = slack;
         public readonly VectorColumns<R> Direction = direction;
         public readonly ColorColumns<F> Intensity = intensity;
+        public readonly F* Cosine = cosine;
         public readonly VectorColumns<R> Origin = origin;
         public readonly R* Limit = limit;
     }
