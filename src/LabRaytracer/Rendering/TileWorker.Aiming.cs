@@ -58,6 +58,12 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     {
         _rays.Count = Pixels;
         AimCamera(_options.Samples);
+        if (x + Side <= _area.X + _area.Width && y + Side <= _area.Y + _area.Height)
+        {
+            new Span<R>(_rays.Limit, Pixels / R.Width).Fill(R.Of(double.PositiveInfinity));
+            return;
+        }
+
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {

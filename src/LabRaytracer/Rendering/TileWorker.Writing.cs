@@ -13,7 +13,8 @@ internal sealed unsafe partial class TileWorker<R, F, I>
             WriteBlocks(first, Math.Min(Block, height - first), width, picture, x - _area.X, y - top);
         }
 
-        for (int row = 0; row < height; row++)
+        bool isMarked = _tracer.Tally is not null || _options.View == RenderView.Samples || _seams is not null;
+        for (int row = 0; row < height && !(isPlain && !isMarked); row++)
         {
             Span<Intensity> pixels = picture.Row(y - top + row).Slice(x - _area.X, width);
             for (int column = 0; !isPlain && column < width; column++)
