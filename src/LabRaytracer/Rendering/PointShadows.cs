@@ -24,7 +24,7 @@ internal static unsafe class PointShadows
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
         LightColumns<R, F> light = buffers.Light;
         RayBatch<R, F, I> rays = buffers.ShadowRays;
-        Columns<R, F> columns = new(
+        AimColumns<R, F> columns = new(
             new(s.PointX, s.PointY, s.PointZ),
             new(s.NormalX, s.NormalY, s.NormalZ),
             new(s.ShadingX, s.ShadingY, s.ShadingZ),
@@ -43,7 +43,7 @@ internal static unsafe class PointShadows
             // Eight doubles are two registers of which there are few: half as many lanes at a time stay in them.
             aimed += typeof(R) == typeof(Double8)
                 ? Each<Double4, Float4, Int4>(
-                    formula, Unsafe.As<Columns<R, F>, Columns<Double4, Float4>>(ref columns), 2 * first, 2 * end, count, out bounds[first / Bundle])
+                    formula, Unsafe.As<AimColumns<R, F>, AimColumns<Double4, Float4>>(ref columns), 2 * first, 2 * end, count, out bounds[first / Bundle])
                 : Each<R, F, I>(formula, columns, first, end, count, out bounds[first / Bundle]);
         }
 
@@ -52,12 +52,12 @@ internal static unsafe class PointShadows
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Each<R, F, I>(in PointLight.Formula formula, in Columns<R, F> columns, int first, int end, int count, out RayBounds bounds)
+    private static int Each<R, F, I>(in PointLight.Formula formula, in AimColumns<R, F> columns, int first, int end, int count, out RayBounds bounds)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        Columns<R, F> to = columns;
+        AimColumns<R, F> to = columns;
         PointLight.Formula lamp = formula;
         R leastX = R.Of(double.PositiveInfinity), leastY = leastX, leastZ = leastX;
         R largestX = R.Of(double.NegativeInfinity), largestY = largestX, largestZ = largestX;
@@ -113,7 +113,7 @@ internal static unsafe class PointShadows
     private static uint Held(int left) => left >= 32 ? uint.MaxValue : left <= 0 ? 0 : (1u << left) - 1;
 
     /// <summary>What is read and written.</summary>
-    private readonly struct Columns<R, F>(
+    private readonly struct AimColumns<R, F>(
         VectorColumns<R> point, VectorColumns<R> normal, VectorColumns<R> shading, R* slack, VectorColumns<R> direction, ColorColumns<F> intensity, F* cosine,
         VectorColumns<R> origin, R* limit)
         where R : unmanaged, IReal<R>
