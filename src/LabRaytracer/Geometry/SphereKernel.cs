@@ -38,7 +38,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R near = centred.K + (step - half);
@@ -62,7 +62,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
@@ -121,7 +121,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Approach(centred, shape[Radius], t, out R x, out R y, out R z, out R isRough, out R isRoughT);
         if (R.Any(isRough | isRoughT))
         {
@@ -190,7 +190,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius];
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Approach(centred, radius, t, out x, out y, out z, out R isRough, out R isRoughT);
         if (R.Any(isRoughT))
         {
@@ -229,7 +229,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], shape[Radius], centred.K);
         t = R.Select(precise.IsHit, precise.T, t);
         for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)
