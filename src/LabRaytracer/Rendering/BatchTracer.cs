@@ -194,7 +194,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         }
 
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, SurfaceNeeds.None);
-        ViewerStage.Run(rays, hits, order, count, _buffers);
+        ViewerStage.Run(rays, hits, order, count, keepsDirections: false, _buffers);
         _sides.Run(order, count, _buffers.Inside);
         ShadeSide(key.Material, key, rays, hits, _sides.Outside, _sides.OutsideCount, depth, weights, travelled);
         ShadeSide(inside, key, rays, hits, _sides.Inside, _sides.InsideCount, depth, weights, travelled);
@@ -220,7 +220,7 @@ internal sealed unsafe class BatchTracer<R, F, I>
         SurfaceNeeds stepColumns = (steps & StepNeeds.Normal) != 0 ? SurfaceNeeds.LocalPoint : SurfaceNeeds.None;
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs | stepColumns);
         Counters.Hits += count;
-        ViewerStage.Run(rays, hits, order, count, _buffers);
+        ViewerStage.Run(rays, hits, order, count, HasDifferentials || ReadsDirections(material), _buffers);
         if (steps != StepNeeds.None)
         {
             FootprintStage.Step(key.Group, rays, hits, order, count, _scene.MemberOfObject, _buffers, steps);
@@ -251,6 +251,9 @@ internal sealed unsafe class BatchTracer<R, F, I>
         Scatter(order, count);
         Counters.Charge(RenderStage.Combine);
     }
+
+    /// <summary>Tells whether light or normals of a material depend on where rays come from.</summary>
+    private static bool ReadsDirections(CompiledMaterial material) => !MatteLight.IsMatte(material) || material.HasSecondaryRays || material.Relief is not null;
 
     /// <summary>Tilts normals by heights and normal maps, if the material has any.</summary>
     private void Tilt(CompiledMaterial material, ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count)
