@@ -27,7 +27,7 @@ internal readonly struct BoxKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R mask = Cut(shape, centred, out R near, out R far, out _, out _);
         R tNear = centred.K + near;
         t = R.Select(R.Less(R.Zero, tNear), tNear, centred.K + far);
@@ -40,7 +40,7 @@ internal readonly struct BoxKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Cut(shape, centred, out R near, out R far, out Faces<R> nearFaces, out Faces<R> farFaces);
         R isNear = R.Less(R.Zero, centred.K + near);
         R along = R.Select(isNear, near, far);

@@ -25,15 +25,20 @@ internal struct CentredRay<R>
     public R InverseLengthSquared;
 
     /// <summary>Rays seen from a centre.</summary>
+    /// <param name="ray">The rays.</param>
+    /// <param name="shape">Numbers of shapes.</param>
+    /// <param name="center">Which of them is x of the centre; y and z follow.</param>
+    /// <param name="centred">The same rays.</param>
     /// <remarks>No constructor: the compiler would clear its result first, make it elsewhere and copy it.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Of(in RayLanes<R> ray, in R centerX, in R centerY, in R centerZ, out CentredRay<R> centred)
+    public static void Of<P>(in RayLanes<R> ray, in P shape, int center, out CentredRay<R> centred)
+        where P : struct, IParameters<R>
     {
         Unsafe.SkipInit(out centred);
         R dx = ray.DirectionX, dy = ray.DirectionY, dz = ray.DirectionZ;
-        R x = Compensated.Difference(ray.OriginX, centerX, out R restX);
-        R y = Compensated.Difference(ray.OriginY, centerY, out R restY);
-        R z = Compensated.Difference(ray.OriginZ, centerZ, out R restZ);
+        R x = Compensated.Difference(ray.OriginX, shape[center], out R restX);
+        R y = Compensated.Difference(ray.OriginY, shape[center + 1], out R restY);
+        R z = Compensated.Difference(ray.OriginZ, shape[center + 2], out R restZ);
         R inverse = R.Of(1) / Lane.Dot(dx, dy, dz, dx, dy, dz);
         R k = -Lane.Dot(x, y, z, dx, dy, dz) * inverse;
         centred.K = k;

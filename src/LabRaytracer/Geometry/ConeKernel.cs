@@ -31,7 +31,7 @@ internal readonly struct ConeKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[ApexX], shape[ApexY], shape[ApexZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, ApexX, out CentredRay<R> centred);
         ConeChoice<R> choice = new(centred, shape[Radius], shape[Height], shape[HasBase]);
         t = centred.K + choice.Along;
         R hit = choice.IsHit;
@@ -51,7 +51,7 @@ internal readonly struct ConeKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[ApexX], shape[ApexY], shape[ApexZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, ApexX, out CentredRay<R> centred);
         ConeChoice<R> choice = new(centred, shape[Radius], shape[Height], shape[HasBase]);
         if (R.Any(choice.IsRough))
         {
@@ -69,7 +69,7 @@ internal readonly struct ConeKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius], height = shape[Height];
-        CentredRay<R>.Of(ray, shape[ApexX], shape[ApexY], shape[ApexZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, ApexX, out CentredRay<R> centred);
         ConeChoice<R> choice = new(centred, radius, height, shape[HasBase]);
         R isBase = choice.IsBase;
         R x = R.Fma(choice.Along, centred.DirectionX, centred.X);

@@ -31,7 +31,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R along = Choose(centred, shape[Radius], shape[HalfHeight], out R hit, out R isClose, out _);
         t = centred.K + along;
         return R.Any(isClose) ? Decide(shape, ray, centred.K, isClose, hit, ref t) : hit;
@@ -43,7 +43,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Choose(centred, shape[Radius], shape[HalfHeight], out _, out _, out R isRough);
         return R.Any(isRough) ? R.Select(isRough, Precise(shape, ray, centred.K).T, t) : t;
     }
@@ -58,7 +58,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius], halfHeight = shape[HalfHeight];
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R along = Choose(centred, radius, halfHeight, out _, out _, out R isRough);
         R x = R.Fma(along, centred.DirectionX, centred.X);
         R y = R.Fma(along, centred.DirectionY, centred.Y);
@@ -81,7 +81,7 @@ internal readonly struct CylinderKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         PreciseCylinderHit<R> precise = Precise(shape, ray, centred.K);
         t = R.Select(precise.IsHit, precise.T, t);
         for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)

@@ -58,7 +58,7 @@ internal readonly struct FlatKernel<TOutline> : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[Center], shape[Center + 1], shape[Center + 2], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, Center, out CentredRay<R> centred);
         R nx = shape[Normal], ny = shape[Normal + 1], nz = shape[Normal + 2];
         R height = Compensated.Dot(nx, ny, nz, centred.X, centred.Y, centred.Z);
         R approach = Compensated.Dot(nx, ny, nz, ray.DirectionX, ray.DirectionY, ray.DirectionZ);

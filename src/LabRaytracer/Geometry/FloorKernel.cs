@@ -25,19 +25,26 @@ internal static class FloorKernel
     /// <param name="x">x of the plane's point.</param>
     /// <param name="y">y of the plane's point.</param>
     /// <param name="z">z of the plane's point.</param>
-    /// <param name="ray">The rays.</param>
+    /// <param name="originX">Origins.</param>
+    /// <param name="originY">Origins.</param>
+    /// <param name="originZ">Origins.</param>
+    /// <param name="directionX">Directions.</param>
+    /// <param name="directionY">Directions.</param>
+    /// <param name="directionZ">Directions.</param>
     /// <param name="t">Ray parameters of the hits.</param>
     /// <param name="qx">x of the hits.</param>
     /// <param name="qz">z of the hits.</param>
+    /// <remarks>Numbers, not a structure of rays: the compiler keeps structures of more than four fields in memory.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Reach<R>(R x, R y, R z, in RayLanes<R> ray, R t, out R qx, out R qz)
+    public static void Reach<R>(
+        R x, R y, R z, R originX, R originY, R originZ, R directionX, R directionY, R directionZ, R t, out R qx, out R qz)
         where R : unmanaged, IReal<R>
     {
-        R qy = R.Fma(t, ray.DirectionY, Compensated.Difference(ray.OriginY, y, out R restY)) + restY;
-        R again = -qy / ray.DirectionY;
-        qx = R.Fma(t, ray.DirectionX, Compensated.Difference(ray.OriginX, x, out R restX)) + restX;
-        qz = R.Fma(t, ray.DirectionZ, Compensated.Difference(ray.OriginZ, z, out R restZ)) + restZ;
-        qx = R.Fma(again, ray.DirectionX, qx);
-        qz = R.Fma(again, ray.DirectionZ, qz);
+        R qy = R.Fma(t, directionY, Compensated.Difference(originY, y, out R restY)) + restY;
+        R again = -qy / directionY;
+        qx = R.Fma(t, directionX, Compensated.Difference(originX, x, out R restX)) + restX;
+        qz = R.Fma(t, directionZ, Compensated.Difference(originZ, z, out R restZ)) + restZ;
+        qx = R.Fma(again, directionX, qx);
+        qz = R.Fma(again, directionZ, qz);
     }
 }

@@ -91,6 +91,23 @@ internal interface IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => throw new NotSupportedException();
 
+    /// <summary><see cref="Smooth"/> of shapes that <see cref="IsQuick"/>, small enough to be compiled into a loop; their t is accurate already.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="originX">Rays in object space.</param>
+    /// <param name="originY">Rays in object space.</param>
+    /// <param name="originZ">Rays in object space.</param>
+    /// <param name="directionX">Rays in object space.</param>
+    /// <param name="directionY">Rays in object space.</param>
+    /// <param name="directionZ">Rays in object space.</param>
+    /// <param name="t">Ray parameters of the hits.</param>
+    /// <param name="to">Where the surface goes.</param>
+    /// <param name="packet">Group of lanes in the columns.</param>
+    /// <param name="needs">Columns that somebody reads.</param>
+    static virtual void SmoothQuick<R, P>(
+        in P shape, R originX, R originY, R originZ, R directionX, R directionY, R directionZ, R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => throw new NotSupportedException();
+
     /// <summary>Makes t correctly rounded and the point as accurate as twice the digits allow, where the shape can; the rest stays. Double lanes only.</summary>
     /// <param name="shape">The shape's numbers.</param>
     /// <param name="ray">Rays in object space.</param>

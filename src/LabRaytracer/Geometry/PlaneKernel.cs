@@ -125,30 +125,41 @@ internal readonly unsafe struct PlaneKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        PositionBatch<R> p = to.Positions;
-        R localX, localZ;
         if (IsFloor<R, P>(shape))
         {
-            FloorKernel.Reach(shape[Point], shape[Point + 1], shape[Point + 2], ray, t, out localX, out localZ);
-            p.WorldX[packet] = shape[Point] + localX;
-            p.WorldY[packet] = shape[Point + 1];
-            p.WorldZ[packet] = shape[Point + 2] + localZ;
-            to.Slack[packet] = SlackOf(shape, localX, R.Zero, localZ);
-        }
-        else
-        {
-            Reach(shape, ray, t, out R qx, out R qy, out R qz);
-            localX = Lane.Dot(qx, qy, qz, shape[AxisX], shape[AxisX + 1], shape[AxisX + 2]);
-            localZ = Lane.Dot(qx, qy, qz, shape[AxisZ], shape[AxisZ + 1], shape[AxisZ + 2]);
-            p.WorldX[packet] = shape[Point] + qx;
-            p.WorldY[packet] = shape[Point + 1] + qy;
-            p.WorldZ[packet] = shape[Point + 2] + qz;
-            to.Slack[packet] = SlackOf(shape, qx, qy, qz);
+            SmoothQuick(shape, ray.OriginX, ray.OriginY, ray.OriginZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ, t, to, packet, needs);
+            return;
         }
 
+        PositionBatch<R> p = to.Positions;
+        Reach(shape, ray, t, out R qx, out R qy, out R qz);
+        p.WorldX[packet] = shape[Point] + qx;
+        p.WorldY[packet] = shape[Point + 1] + qy;
+        p.WorldZ[packet] = shape[Point + 2] + qz;
         p.WorldNormalX[packet] = shape[Normal];
         p.WorldNormalY[packet] = shape[Normal + 1];
         p.WorldNormalZ[packet] = shape[Normal + 2];
+        to.Slack[packet] = SlackOf(shape, qx, qy, qz);
+        R localX = Lane.Dot(qx, qy, qz, shape[AxisX], shape[AxisX + 1], shape[AxisX + 2]);
+        R localZ = Lane.Dot(qx, qy, qz, shape[AxisZ], shape[AxisZ + 1], shape[AxisZ + 2]);
+        StoreLocal(p, packet, localX, localZ, needs);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void SmoothQuick<R, P>(
+        in P shape, R originX, R originY, R originZ, R directionX, R directionY, R directionZ, R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
+        PositionBatch<R> p = to.Positions;
+        R x = shape[Point], y = shape[Point + 1], z = shape[Point + 2];
+        FloorKernel.Reach(x, y, z, originX, originY, originZ, directionX, directionY, directionZ, t, out R localX, out R localZ);
+        p.WorldX[packet] = x + localX;
+        p.WorldY[packet] = y;
+        p.WorldZ[packet] = z + localZ;
+        p.WorldNormalX[packet] = p.WorldNormalZ[packet] = R.Zero;
+        p.WorldNormalY[packet] = R.Of(1);
+        to.Slack[packet] = SlackOf(shape, localX, R.Zero, localZ);
         StoreLocal(p, packet, localX, localZ, needs);
     }
 

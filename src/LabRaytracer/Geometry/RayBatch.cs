@@ -151,14 +151,19 @@ internal sealed unsafe class RayBatch<R, F, I>
         new Vector3D(R.Take(DirectionX, ray), R.Take(DirectionY, ray), R.Take(DirectionZ, ray)));
 
     /// <summary>Writes one ray, rounded.</summary>
-    public void Set(int ray, in Ray value)
+    public void Set(int ray, in Ray value) =>
+        Set(ray, value.Origin.X, value.Origin.Y, value.Origin.Z, value.Direction.X, value.Direction.Y, value.Direction.Z);
+
+    /// <summary>Writes one ray, rounded: coordinates of its origin, then of its direction.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set(int ray, double x, double y, double z, double directionX, double directionY, double directionZ)
     {
-        R.Put(OriginX, ray, value.Origin.X);
-        R.Put(OriginY, ray, value.Origin.Y);
-        R.Put(OriginZ, ray, value.Origin.Z);
-        R.Put(DirectionX, ray, value.Direction.X);
-        R.Put(DirectionY, ray, value.Direction.Y);
-        R.Put(DirectionZ, ray, value.Direction.Z);
+        R.Put(OriginX, ray, x);
+        R.Put(OriginY, ray, y);
+        R.Put(OriginZ, ray, z);
+        R.Put(DirectionX, ray, directionX);
+        R.Put(DirectionY, ray, directionY);
+        R.Put(DirectionZ, ray, directionZ);
     }
 
     /// <summary>Turns the spare lanes behind the last ray off.</summary>

@@ -44,12 +44,7 @@ internal readonly struct RayBundle
     {
         F* numbers = stackalloc F[2 * Numbers];
         Include(rays, limits, first, end, numbers, out R limit);
-        double last = -1;
-        for (int lane = 0; lane < R.Width; lane++)
-        {
-            last = double.MaxNative(last, Lane.Take(&limit, lane));
-        }
-
+        double last = R.Largest(limit);
         return last > 0 ? Of(numbers, last, sceneSize) : new RayBundle(default, default, default, 0, -1);
     }
 
@@ -126,28 +121,14 @@ internal readonly struct RayBundle
     private static unsafe RayBundle Of<F>(F* bounds, double limit, double sceneSize)
         where F : unmanaged, IReal<F>
     {
-        float* numbers = (float*)bounds;
-        for (int k = 0; k < Numbers; k++)
-        {
-            float* least = numbers + (k * F.Width), largest = least + (Numbers * F.Width);
-            for (int lane = 1; lane < F.Width; lane++)
-            {
-                *least = float.MinNative(least[lane], *least);
-                *largest = float.MaxNative(largest[lane], *largest);
-            }
-        }
-
-        BundleAxis x = Axis(numbers, F.Width, ref sceneSize);
-        BundleAxis y = Axis(numbers + F.Width, F.Width, ref sceneSize);
-        BundleAxis z = Axis(numbers + (2 * F.Width), F.Width, ref sceneSize);
+        BundleAxis x = Axis(bounds, ref sceneSize), y = Axis(bounds + 1, ref sceneSize), z = Axis(bounds + 2, ref sceneSize);
         return double.IsFinite(sceneSize) ? new RayBundle(x, y, z, sceneSize * BoxWidening, limit) : default;
     }
 
     /// <summary>One axis of the bounds, widened.</summary>
-    private static unsafe BundleAxis Axis(float* numbers, int width, ref double size)
-    {
-        return Axis(numbers[0], numbers[Numbers * width], numbers[3 * width], numbers[(Numbers + 3) * width], ref size);
-    }
+    private static unsafe BundleAxis Axis<F>(F* bounds, ref double size)
+        where F : unmanaged, IReal<F> =>
+        Axis(Lane.Least(bounds[0]), F.Largest(bounds[Numbers]), Lane.Least(bounds[3]), F.Largest(bounds[Numbers + 3]), ref size);
 
     private static BundleAxis Axis(double from, double to, double slowest, double fastest, ref double size)
     {

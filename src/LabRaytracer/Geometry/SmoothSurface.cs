@@ -42,6 +42,12 @@ internal static unsafe class SmoothSurface<K>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
+        if (members == null && IsQuick(numbers))
+        {
+            Quick<R, F, I>(rays, t, numbers, order, count, to, needs);
+            return 0;
+        }
+
         int refined = 0;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
@@ -64,6 +70,36 @@ internal static unsafe class SmoothSurface<K>
         }
 
         return refined;
+    }
+
+    /// <summary>Tells whether the first shape <see cref="IShapeKernel.IsQuick"/>.</summary>
+    private static bool IsQuick<R>(R* numbers)
+        where R : unmanaged, IReal<R>
+    {
+        Span<double> shape = stackalloc double[K.ParameterCount];
+        for (int k = 0; k < shape.Length; k++)
+        {
+            shape[k] = Lane.Take(numbers, k);
+        }
+
+        return K.IsQuick(shape);
+    }
+
+    /// <summary>Where a group has one shape that is quick.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Quick<R, F, I>(in RayColumns<R> rays, R* t, R* numbers, int* order, int count, in SurfaceColumns<R> to, SurfaceNeeds needs)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        SharedParameters<R, F, I> shape = new(numbers, 0);
+        for (int packet = 0; packet * R.Width < count; packet++)
+        {
+            LaneRun<I> run = new(order, packet * R.Width, count);
+            run.Collect<R, F>(rays.OriginX, rays.OriginY, rays.OriginZ, out R x, out R y, out R z);
+            run.Collect<R, F>(rays.DirectionX, rays.DirectionY, rays.DirectionZ, out R dx, out R dy, out R dz);
+            K.SmoothQuick(shape, x, y, z, dx, dy, dz, run.Collect<R, F>(t), to, packet, needs);
+        }
     }
 
     /// <summary>Where a group has several shapes: one for all lanes, or a different one in each.</summary>

@@ -38,7 +38,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R near = centred.K + (step - half);
@@ -46,7 +46,14 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         t = R.Select(R.Less(R.Zero, near), near, far);
         R hit = R.LessOrEqual(R.Zero, discriminant) & R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
         R isClose = IsClose(centred, radius, discriminant, near, far);
-        return R.Any(isClose) ? Decide(shape, ray, centred.K, isClose, hit, ref t) : hit;
+        if (R.Any(isClose))
+        {
+            // Copies: what is given by reference lives in memory all the time.
+            R mask = isClose, rough = hit;
+            return Decide(shape, ray, centred.K, mask, rough, ref t);
+        }
+
+        return hit;
     }
 
     /// <remarks>The same formulas as in <see cref="Surface"/>, without the surface.</remarks>
@@ -55,7 +62,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
@@ -114,7 +121,33 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
+        Approach(centred, shape[Radius], t, out R x, out R y, out R z, out R isRough, out R isRoughT);
+        if (R.Any(isRough | isRoughT))
+        {
+            // All of it again, elsewhere: numbers that live across a call would be written to memory each time.
+            SmoothRough(shape, ray, ref t, to, packet, needs);
+            return;
+        }
+
+        Store(shape, x, y, z, to, packet, needs);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void SmoothRough<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
         Reach(shape, ray, ref t, out R x, out R y, out R z);
+        Store(shape, x, y, z, to, packet, needs);
+    }
+
+    /// <summary>The surface at a point relative to the centre, into columns.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Store<R, P>(in P shape, R x, R y, R z, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R>
+    {
         PositionBatch<R> p = to.Positions;
         to.Slack[packet] = SlackOf<R, P>(shape);
         R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z)), radius = shape[Radius];
@@ -157,15 +190,8 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius];
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
-        R discriminant = HalfChord(centred, radius, out R step, out R half);
-        R nearIsAhead = R.Less(R.Zero, centred.K + (step - half));
-        R isNear = nearIsAhead & R.LessOrEqual(t, centred.K + step);
-        R along = step + R.Select(isNear, -half, half);
-        x = R.Fma(along, centred.DirectionX, centred.X);
-        y = R.Fma(along, centred.DirectionY, centred.Y);
-        z = R.Fma(along, centred.DirectionZ, centred.Z);
-        R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
+        Approach(centred, radius, t, out x, out y, out z, out R isRough, out R isRoughT);
         if (R.Any(isRoughT))
         {
             CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
@@ -182,13 +208,28 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         }
     }
 
+    /// <summary>The point without the hard digits, and where those are missing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Approach<R>(in CentredRay<R> centred, R radius, R t, out R x, out R y, out R z, out R isRough, out R isRoughT)
+        where R : unmanaged, IReal<R>
+    {
+        R discriminant = HalfChord(centred, radius, out R step, out R half);
+        R nearIsAhead = R.Less(R.Zero, centred.K + (step - half));
+        R isNear = nearIsAhead & R.LessOrEqual(t, centred.K + step);
+        R along = step + R.Select(isNear, -half, half);
+        x = R.Fma(along, centred.DirectionX, centred.X);
+        y = R.Fma(along, centred.DirectionY, centred.Y);
+        z = R.Fma(along, centred.DirectionZ, centred.Z);
+        isRough = IsRough(centred, radius, discriminant, step, half, out isRoughT);
+    }
+
     /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Sharpen<R, P>(in P shape, in RayLanes<R> ray, ref R t, ref SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], shape[Radius], centred.K);
         t = R.Select(precise.IsHit, precise.T, t);
         for (uint open = R.Bits(~precise.IsExact); open != 0; open &= open - 1)

@@ -26,7 +26,7 @@ internal readonly struct TorusKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R hit = Locate(shape, ray, centred, out R along);
         t = centred.K + along;
         return hit & R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
@@ -37,7 +37,7 @@ internal readonly struct TorusKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Locate(shape, ray, centred, out R along);
         PreciseTorusHit<R> hit = new(Line(shape, ray, centred.K), ray, shape[Ring], shape[Tube], along);
         return hit.T;
@@ -50,7 +50,7 @@ internal readonly struct TorusKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         R ring = shape[Ring], tube = shape[Tube];
-        CentredRay<R>.Of(ray, shape[CenterX], shape[CenterY], shape[CenterZ], out CentredRay<R> centred);
+        CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Locate(shape, ray, centred, out R along);
         PreciseTorusHit<R> hit = new(Line(shape, ray, centred.K), ray, ring, tube, along);
         t = hit.T;

@@ -16,6 +16,9 @@ internal unsafe struct LightColumns<R, F>
     /// <summary>Light that arrives, linear; 0 where none does.</summary>
     public ColorColumns<F> Intensity;
 
+    /// <summary>Cosine of the angle between lamp and normal for shading, not below 0; written where whoever makes the shadow rays says so.</summary>
+    public F* Cosine;
+
     /// <summary>New columns.</summary>
     public LightColumns(LaneMemory memory, int capacity)
     {
@@ -24,5 +27,6 @@ internal unsafe struct LightColumns<R, F>
         DirectionZ = memory.Column<R>(capacity, R.Width);
         Distance = memory.Column<R>(capacity, R.Width);
         Intensity = new ColorColumns<F>(memory, capacity);
+        Cosine = memory.Column<F>(capacity, F.Width);
     }
 }

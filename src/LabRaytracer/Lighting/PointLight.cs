@@ -25,7 +25,8 @@ public sealed class PointLight : Light, IWideLight
     /// <summary>How the light fades with distance. Default: not at all.</summary>
     public Attenuation Attenuation { get; init => field = PropertyChecks.NotNull(value); } = Attenuation.None;
 
-    private Formula Own => new(Position, Intensity, Attenuation);
+    /// <summary>The lamp's formula.</summary>
+    internal Formula Own => new(Position, Intensity, Attenuation, !Attenuation.IsNone);
 
     /// <inheritdoc/>
     public override bool TrySample(Point3D point, out LightSample sample) => LightFormulas.TrySample(Own, point, out sample);
@@ -40,14 +41,15 @@ public sealed class PointLight : Light, IWideLight
         where I : unmanaged, IIndexLane<I> =>
         LightFormulas.Sample(Own, surfaces, samples, packets);
 
-    private readonly record struct Formula(Point3D Position, Intensity Intensity, Attenuation Attenuation) : ILightFormula
+    /// <summary>Direction, distance and share of the light at points.</summary>
+    internal readonly record struct Formula(Point3D Position, Intensity Intensity, Attenuation Attenuation, bool Fades) : ILightFormula
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Sample<R>(R x, R y, R z, out LightLanes<R> sample)
             where R : unmanaged, IReal<R>
         {
             R away = LightFormulas.Towards(Position, x, y, z, out sample);
-            if (!Attenuation.IsNone)
+            if (Fades)
             {
                 sample.Share = away & LightFormulas.Fade(Attenuation, sample.Distance);
             }

@@ -19,18 +19,9 @@ internal static class Lane
         where T : unmanaged, IReal<T> => size * T.Of(T.IsSingle ? 1.9073486328125e-6 : 3.552713678800501e-15);
 
     /// <summary>The least of the lanes, none of which is NaN.</summary>
-    public static unsafe double Least<T>(T lanes)
-        where T : unmanaged, IReal<T>
-    {
-        double least = Take(&lanes, 0);
-        for (int lane = 1; lane < T.Width; lane++)
-        {
-            double other = Take(&lanes, lane);
-            least = other < least ? other : least;
-        }
-
-        return least;
-    }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Least<T>(T lanes)
+        where T : unmanaged, IReal<T> => -T.Largest(-lanes);
 
     /// <summary>Reads one element of a column of lanes, exactly.</summary>
     /// <param name="column">The column.</param>

@@ -131,7 +131,7 @@ internal sealed unsafe class AlphaLayers<R, F, I>
         CompiledOpacity opacity = key.Material.Opacity!;
         SurfaceBatch<R, F, I> s = _buffers.Surfaces;
         key.Group.Surface(Rays, Hits, order, count, _scene.MemberOfObject, s, opacity.Lookups.Needs);
-        ViewerStage.Run(Rays, Hits, order, count, _buffers);
+        ViewerStage.Run(Rays, Hits, order, count, keepsDirections: true, _buffers);
         if (Rays.HasDifferentials && opacity.Lookups.NeedsFootprints)
         {
             FootprintStage.Step(key.Group, Rays, Hits, order, count, _scene.MemberOfObject, _buffers, opacity.Lookups.Steps);

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Takes a batch of rays through all stages: hits, groups, surfaces, textures, lamps, secondary rays.</summary>
@@ -36,7 +38,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         _steps = FilterView.Is(options.View) ? StepNeeds.Local | StepNeeds.SurfaceGradient : StepNeeds.None;
         HasDifferentials = scene.NeedsDifferentials || FilterView.Is(options.View);
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, HasDifferentials);
-        _secondary = new SecondaryRays(capacity, HasDifferentials);
+        _secondary = new SecondaryRays(capacity);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity, scene.IsSkipping);
         Radiance = new ColorColumns<F>(memory, capacity);
         Weights = new Intensity[capacity];
@@ -62,8 +64,8 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     /// <summary>Counts and times.</summary>
     public WorkerCounters Counters { get; }
 
-    /// <summary>Result: light that each ray of the batch brings, unweighted.</summary>
-    public ColorColumns<F> Radiance { get; }
+    /// <summary>Result: light that each ray of the batch brings, unweighted. Whoever keeps the columns gives others for them.</summary>
+    public ColorColumns<F> Radiance { get; set; }
 
     /// <summary>Weight of each ray of the batch.</summary>
     public Intensity[] Weights { get; }
@@ -81,6 +83,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     public void Trace(RayBatch<R, F, I> rays, int depth, SecondaryQueue queue)
     {
         _sampling?.StartDepth(depth);
+        _secondary.Start(queue);
         Tally?.Add(rays);
         _scene.Nearest(rays, _hits);
         Counters.Charge(RenderStage.Intersect);
@@ -110,7 +113,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         }
 
         Counters.HitsRefined += _hits.Refined;
-        _secondary.MoveTo(rays.Count, queue);
+        _secondary.LineUp(rays.Count);
         Counters.Charge(RenderStage.Combine);
     }
 
@@ -163,7 +166,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         }
 
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, SurfaceNeeds.None);
-        ViewerStage.Run(rays, hits, order, count, _buffers);
+        ViewerStage.Run(rays, hits, order, count, keepsDirections: false, _buffers);
         _sides.Run(order, count, _buffers.Inside);
         ShadeSide(key.Material, key, rays, hits, _sides.Outside, _sides.OutsideCount, depth, weights, travelled);
         ShadeSide(inside, key, rays, hits, _sides.Inside, _sides.InsideCount, depth, weights, travelled);
@@ -189,7 +192,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         SurfaceNeeds stepColumns = (steps & StepNeeds.Normal) != 0 ? SurfaceNeeds.LocalPoint : SurfaceNeeds.None;
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs | stepColumns);
         Counters.Hits += count;
-        ViewerStage.Run(rays, hits, order, count, _buffers);
+        ViewerStage.Run(rays, hits, order, count, HasDifferentials || ReadsDirections(material), _buffers);
         if (steps != StepNeeds.None)
         {
             FootprintStage.Step(key.Group, rays, hits, order, count, _scene.MemberOfObject, _buffers, steps);
@@ -221,6 +224,9 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         Counters.Charge(RenderStage.Combine);
     }
 
+    /// <summary>Tells whether light or normals of a material depend on where rays come from.</summary>
+    private static bool ReadsDirections(CompiledMaterial material) => !MatteLight.IsMatte(material) || material.HasSecondaryRays || material.Relief is not null;
+
     /// <summary>Tilts normals by heights and normal maps, if the material has any.</summary>
     private void Tilt(CompiledMaterial material, ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count)
     {
@@ -248,9 +254,19 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
             return;
         }
 
-        for (int i = 0; i < count; i++)
+        for (int first = 0; first < count; first += F.Width)
         {
-            to[order[i]] = from[i];
+            int end = Math.Min(first + F.Width, count);
+            if (end - first == F.Width && order[end - 1] - order[first] == F.Width - 1)
+            {
+                Unsafe.WriteUnaligned(to + order[first], *(F*)(from + first));
+                continue;
+            }
+
+            for (int i = first; i < end; i++)
+            {
+                to[order[i]] = from[i];
+            }
         }
     }
 }

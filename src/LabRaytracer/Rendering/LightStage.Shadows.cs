@@ -8,6 +8,26 @@ internal sealed unsafe partial class LightStage<R, F, I>
 {
     private readonly ShadowBounds<R, F, I> _bounds = new(buffers.ShadowRays);
 
+    /// <summary>Tells whether light and shadow rays of a lamp are made in one pass, with cosines.</summary>
+    private bool IsUsual(int lamp) => scene.Lights[lamp] is PointLight && scene.IsSkipping;
+
+    /// <summary>The light of one sample of a lamp, and shadow rays to it.</summary>
+    private void Aim(int lamp, int sample, int count, int packets)
+    {
+        if (IsUsual(lamp))
+        {
+            int aimed = PointShadows.Aim((PointLight)scene.Lights[lamp], buffers, _bounds.Bundles, packets, count);
+            counters.ShadowRays += aimed;
+            counters.ShadowRaysSkipped += count - aimed;
+            buffers.ShadowRays.Bounds = _bounds.Bundles;
+            return;
+        }
+
+        lamps.Sample(lamp, sample, count, packets);
+        AimShadowRays(packets, count);
+        buffers.ShadowRays.Bounds = scene.IsSkipping ? _bounds.Find(scene.Lights[lamp]) : null;
+    }
+
     /// <summary>Mask of the hits that a lamp can light.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private R IsReached(int packet)

@@ -122,9 +122,7 @@ internal sealed unsafe partial class LightStage<R, F, I>(
         counters.LampSamples += samples > 1 ? (long)count * samples : 0;
         for (int sample = 0; sample < samples; sample++)
         {
-            lamps.Sample(lamp, sample, count, packets);
-            AimShadowRays(packets, count);
-            buffers.ShadowRays.Bounds = scene.IsSkipping ? _bounds.Find(scene.Lights[lamp]) : null;
+            Aim(lamp, sample, count, packets);
             tally?.Add(buffers.ShadowRays, order, count);
             if (scene.Lights[lamp].CastsShadows)
             {
@@ -139,16 +137,16 @@ internal sealed unsafe partial class LightStage<R, F, I>(
 
             if (material.IsLit)
             {
-                Add(material, packets, count);
+                Add(material, packets, count, IsUsual(lamp));
             }
         }
     }
 
-    private void Add(CompiledMaterial material, int packets, int count)
+    private void Add(CompiledMaterial material, int packets, int count, bool knowsCosines)
     {
         if (MatteLight.IsMatte(material))
         {
-            MatteLight.Add(material, buffers, packets);
+            MatteLight.Add(material, buffers, packets, knowsCosines);
             return;
         }
 

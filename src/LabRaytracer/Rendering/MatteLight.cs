@@ -35,8 +35,12 @@ internal static unsafe class MatteLight
     }
 
     /// <summary>Light of the current lamp where nothing blocks it.</summary>
+    /// <param name="material">A matte material.</param>
+    /// <param name="buffers">The hits; receives the light.</param>
+    /// <param name="packets">Groups of lanes.</param>
+    /// <param name="isKnown">Whether the cosines are known already.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Add<R, F, I>(CompiledMaterial material, ShadingBuffers<R, F, I> buffers, int packets)
+    public static void Add<R, F, I>(CompiledMaterial material, ShadingBuffers<R, F, I> buffers, int packets, bool isKnown)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -54,15 +58,22 @@ internal static unsafe class MatteLight
                 continue;
             }
 
-            F cosine = F.Max(
-                Lane.Dot(
-                    R.ToSingle(s.ShadingX[packet]), R.ToSingle(s.ShadingY[packet]), R.ToSingle(s.ShadingZ[packet]),
-                    R.ToSingle(light.DirectionX[packet]), R.ToSingle(light.DirectionY[packet]), R.ToSingle(light.DirectionZ[packet])),
-                F.Zero);
+            F cosine = isKnown ? light.Cosine[packet] : Cosine(s, light, packet);
             diffuse.Read(packet, out F red, out F green, out F blue);
             radiance.R[packet] = F.Fma(red * cosine, light.Intensity.R[packet] & visible, radiance.R[packet]);
             radiance.G[packet] = F.Fma(green * cosine, light.Intensity.G[packet] & visible, radiance.G[packet]);
             radiance.B[packet] = F.Fma(blue * cosine, light.Intensity.B[packet] & visible, radiance.B[packet]);
         }
     }
+
+    /// <summary>Cosines of the angles between normals and directions of light, not below 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static F Cosine<R, F, I>(SurfaceBatch<R, F, I> s, in LightColumns<R, F> light, int packet)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => F.Max(
+            Lane.Dot(
+                R.ToSingle(s.ShadingX[packet]), R.ToSingle(s.ShadingY[packet]), R.ToSingle(s.ShadingZ[packet]),
+                R.ToSingle(light.DirectionX[packet]), R.ToSingle(light.DirectionY[packet]), R.ToSingle(light.DirectionZ[packet])),
+            F.Zero);
 }

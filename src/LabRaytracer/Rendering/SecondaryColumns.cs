@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
 /// <summary>Columns of reflected or refracted rays of one group of hits.</summary>
@@ -53,8 +55,23 @@ internal sealed unsafe class SecondaryColumns<R, F, I>
     /// <summary>Share of light of one ray.</summary>
     public Intensity Share(int i) => _share.Take(i);
 
-    /// <summary>One ray.</summary>
-    public Ray this[int i] => new(
-        new Point3D(R.Take(_originX, i), R.Take(_originY, i), R.Take(_originZ, i)),
-        new Vector3D(R.Take(_directionX, i), R.Take(_directionY, i), R.Take(_directionZ, i)));
+    /// <summary>Writes one ray.</summary>
+    /// <param name="i">Number of the hit that it starts from.</param>
+    /// <param name="weight">Share of its light that reaches the pixel.</param>
+    /// <param name="pixel">Number of the pixel in the tile.</param>
+    /// <param name="ray">Where it goes.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Write(int i, Intensity weight, int pixel, ref SecondaryRay ray)
+    {
+        ray.OriginX = R.Take(_originX, i);
+        ray.OriginY = R.Take(_originY, i);
+        ray.OriginZ = R.Take(_originZ, i);
+        ray.DirectionX = R.Take(_directionX, i);
+        ray.DirectionY = R.Take(_directionY, i);
+        ray.DirectionZ = R.Take(_directionZ, i);
+        ray.Red = weight.R;
+        ray.Green = weight.G;
+        ray.Blue = weight.B;
+        ray.Pixel = pixel;
+    }
 }

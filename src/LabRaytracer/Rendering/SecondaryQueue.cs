@@ -1,54 +1,46 @@
 namespace LabRaytracer;
 
-/// <summary>Reflected and refracted rays that wait for their turn, in the order in which they arose.</summary>
+/// <summary>Reflected and refracted rays that wait for their turn. They lie where they arose, and are taken in the order of the rays that they come from.</summary>
 /// <param name="hasDifferentials">Whether the rays carry differentials.</param>
 internal sealed class SecondaryQueue(bool hasDifferentials)
 {
     private SecondaryRay[] _rays = new SecondaryRay[1024];
-    private readonly List<RayDifferential> _differentials = [];
+    private RayDifferential[] _differentials = new RayDifferential[hasDifferentials ? 1024 : 0];
+    private int[] _order = new int[1024];
+    private int _arisen;
 
-    /// <summary>Number of rays.</summary>
+    /// <summary>Number of rays in their order.</summary>
     public int Count { get; private set; }
 
-    /// <summary>One ray.</summary>
-    public ref readonly SecondaryRay this[int ray] => ref _rays[ray];
+    /// <summary>One ray in its order.</summary>
+    public ref readonly SecondaryRay this[int ray] => ref _rays[_order[ray]];
 
-    /// <summary>How one ray changes from sample to sample; only known if rays carry differentials.</summary>
-    public RayDifferential Differential(int ray) => _differentials[ray];
+    /// <summary>How one ray in its order changes from sample to sample; only known if rays carry differentials.</summary>
+    public ref readonly RayDifferential Differential(int ray) => ref _differentials[_order[ray]];
 
-    /// <summary>Adds a ray.</summary>
-    public void Add(in SecondaryRay ray)
+    /// <summary>Makes room for a ray.</summary>
+    /// <returns>Its place.</returns>
+    public int Arise()
     {
-        if (Count == _rays.Length)
+        if (_arisen == _rays.Length)
         {
-            Array.Resize(ref _rays, 2 * Count);
+            Array.Resize(ref _rays, 2 * _arisen);
+            Array.Resize(ref _order, 2 * _arisen);
+            Array.Resize(ref _differentials, 2 * _differentials.Length);
         }
 
-        _rays[Count++] = ray;
+        return _arisen++;
     }
 
-    /// <summary>Adds how the ray that was just added changes; only where rays carry differentials.</summary>
-    public void AddChange(in RayDifferential differential)
-    {
-        if (hasDifferentials)
-        {
-            _differentials.Add(differential);
-        }
-    }
+    /// <summary>The ray at a place, to be written.</summary>
+    public ref SecondaryRay At(int place) => ref _rays[place];
 
-    /// <summary>The same from an array, which is not read where rays carry no differentials.</summary>
-    public void AddChange(RayDifferential[] differentials, int ray)
-    {
-        if (hasDifferentials)
-        {
-            _differentials.Add(differentials[ray]);
-        }
-    }
+    /// <summary>How the ray at a place changes from sample to sample, to be written; only if rays carry differentials.</summary>
+    public ref RayDifferential DifferentialAt(int place) => ref _differentials[place];
+
+    /// <summary>The ray at a place is the next one in the order.</summary>
+    public void Line(int place) => _order[Count++] = place;
 
     /// <summary>Forgets all rays, keeps the memory.</summary>
-    public void Clear()
-    {
-        Count = 0;
-        _differentials.Clear();
-    }
+    public void Clear() => Count = _arisen = 0;
 }

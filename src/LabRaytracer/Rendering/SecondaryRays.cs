@@ -1,58 +1,60 @@
 namespace LabRaytracer;
 
-/// <summary>The reflected and refracted rays that a batch leaves behind, given back in the order of the rays they come from.</summary>
+/// <summary>The reflected and refracted rays that a batch leaves behind, lined up in the order of the rays they come from.</summary>
 /// <remarks>
 /// The order does not depend on how hits were grouped or batches were cut: so neither does the order in which light is added to a pixel, to the last bit.
 /// </remarks>
 /// <param name="capacity">Most rays of a batch.</param>
-/// <param name="hasDifferentials">Whether rays carry differentials.</param>
-internal sealed class SecondaryRays(int capacity, bool hasDifferentials)
+internal sealed class SecondaryRays(int capacity)
 {
-    private readonly SecondaryRay[] _reflected = new SecondaryRay[capacity];
-    private readonly SecondaryRay[] _refracted = new SecondaryRay[capacity];
-    private readonly RayDifferential[] _reflectedChange = hasDifferentials ? new RayDifferential[capacity] : [];
-    private readonly RayDifferential[] _refractedChange = hasDifferentials ? new RayDifferential[capacity] : [];
+    private const byte IsReflected = 1, IsRefracted = 2;
+
+    private readonly int[] _reflected = new int[capacity];
+    private readonly int[] _refracted = new int[capacity];
     private readonly byte[] _present = new byte[capacity];
-    private readonly List<(int Ray, int Turn, SecondaryRay Secondary, RayDifferential Change)> _layers = [];
+    private readonly List<(int Ray, int Turn, int Place)> _layers = [];
+    private SecondaryQueue? _queue;
     private bool _any;
 
-    /// <summary>Keeps the reflected ray of a ray.</summary>
-    public void Reflect(int ray, in SecondaryRay secondary)
+    /// <summary>Where the rays are kept, once a batch has been started.</summary>
+    public SecondaryQueue Queue => _queue!;
+
+    /// <summary>Starts a batch.</summary>
+    /// <param name="queue">Receives the rays.</param>
+    public void Start(SecondaryQueue queue) => _queue = queue;
+
+    /// <summary>Makes room for the reflected ray of a ray.</summary>
+    /// <returns>Its place in the queue.</returns>
+    public int Reflect(int ray)
     {
-        _reflected[ray] = secondary;
-        _present[ray] |= 1;
+        _present[ray] |= IsReflected;
         _any = true;
+        return _reflected[ray] = Queue.Arise();
     }
 
-    /// <summary>Keeps the refracted ray of a ray.</summary>
-    public void Refract(int ray, in SecondaryRay secondary)
+    /// <summary>Makes room for the refracted ray of a ray.</summary>
+    /// <returns>Its place in the queue.</returns>
+    public int Refract(int ray)
     {
-        _refracted[ray] = secondary;
-        _present[ray] |= 2;
+        _present[ray] |= IsRefracted;
         _any = true;
+        return _refracted[ray] = Queue.Arise();
     }
 
-    /// <summary>Keeps how the reflected and the refracted ray of a ray change from sample to sample; only where rays carry differentials.</summary>
-    public void SetChanges(int ray, in RayDifferential reflected, in RayDifferential refracted)
-    {
-        _reflectedChange[ray] = reflected;
-        _refractedChange[ray] = refracted;
-    }
-
-    /// <summary>Sets the rays of one layer of surfaces aside: their places are free for those of the next one.</summary>
+    /// <summary>Sets the rays of one layer of surfaces aside: the next layer has rays of its own.</summary>
     /// <param name="count">Number of rays of the batch.</param>
     public void EndLayer(int count)
     {
         for (int ray = 0; _any && ray < count; ray++)
         {
-            if ((_present[ray] & 1) != 0)
+            if ((_present[ray] & IsReflected) != 0)
             {
-                _layers.Add((ray, _layers.Count, _reflected[ray], Change(_reflectedChange, ray)));
+                _layers.Add((ray, _layers.Count, _reflected[ray]));
             }
 
-            if ((_present[ray] & 2) != 0)
+            if ((_present[ray] & IsRefracted) != 0)
             {
-                _layers.Add((ray, _layers.Count, _refracted[ray], Change(_refractedChange, ray)));
+                _layers.Add((ray, _layers.Count, _refracted[ray]));
             }
 
             _present[ray] = 0;
@@ -61,10 +63,9 @@ internal sealed class SecondaryRays(int capacity, bool hasDifferentials)
         _any = false;
     }
 
-    /// <summary>Moves what was kept to the end of a list.</summary>
+    /// <summary>Lines up what was kept.</summary>
     /// <param name="count">Number of rays of the batch.</param>
-    /// <param name="queue">The list.</param>
-    public void MoveTo(int count, SecondaryQueue queue)
+    public void LineUp(int count)
     {
         if (!_any && _layers.Count == 0)
         {
@@ -81,39 +82,31 @@ internal sealed class SecondaryRays(int capacity, bool hasDifferentials)
         {
             for (; layer < _layers.Count && _layers[layer].Ray == ray; layer++)
             {
-                queue.Add(_layers[layer].Secondary);
-                queue.AddChange(_layers[layer].Change);
+                Queue.Line(_layers[layer].Place);
             }
 
-            Move(ray, queue);
+            if (_present[ray] != 0)
+            {
+                LineUpOne(ray);
+            }
         }
 
         _layers.Clear();
         _any = false;
     }
 
-    private void Move(int ray, SecondaryQueue queue)
+    private void LineUpOne(int ray)
     {
-        byte present = _present[ray];
-        if (present == 0)
+        if ((_present[ray] & IsReflected) != 0)
         {
-            return;
+            Queue.Line(_reflected[ray]);
         }
 
-        if ((present & 1) != 0)
+        if ((_present[ray] & IsRefracted) != 0)
         {
-            queue.Add(_reflected[ray]);
-            queue.AddChange(_reflectedChange, ray);
-        }
-
-        if ((present & 2) != 0)
-        {
-            queue.Add(_refracted[ray]);
-            queue.AddChange(_refractedChange, ray);
+            Queue.Line(_refracted[ray]);
         }
 
         _present[ray] = 0;
     }
-
-    private RayDifferential Change(RayDifferential[] changes, int ray) => hasDifferentials ? changes[ray] : default;
 }

@@ -66,19 +66,24 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             Intensity reflected = _reflected.Share(i) * weights[ray];
             if (IsFollowed(reflected))
             {
-                _secondary.Reflect(ray, new SecondaryRay(_reflected[i], Weight(reflected), pixels[ray]));
+                Keep(_reflected, i, Weight(reflected), pixels[ray], _secondary.Reflect(ray), isDifferentiated);
             }
 
             Intensity refracted = isTransparent ? _refracted.Share(i) * weights[ray] : Intensity.Black;
             if (isTransparent && IsFollowed(refracted))
             {
-                _secondary.Refract(ray, new SecondaryRay(_refracted[i], Weight(refracted), pixels[ray]));
+                Keep(_refracted, i, Weight(refracted), pixels[ray], _secondary.Refract(ray), isDifferentiated);
             }
+        }
+    }
 
-            if (isDifferentiated)
-            {
-                _secondary.SetChanges(ray, _reflected.Differentials.Take(i), isTransparent ? _refracted.Differentials.Take(i) : default);
-            }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Keep(SecondaryColumns<R, F, I> rays, int i, Intensity weight, int pixel, int place, bool isDifferentiated)
+    {
+        rays.Write(i, weight, pixel, ref _secondary.Queue.At(place));
+        if (isDifferentiated)
+        {
+            _secondary.Queue.DifferentialAt(place) = rays.Differentials.Take(i);
         }
     }
 

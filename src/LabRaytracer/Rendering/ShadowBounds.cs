@@ -11,10 +11,10 @@ internal sealed unsafe class ShadowBounds<R, F, I>(RayBatch<R, F, I> rays)
 {
     private const int Bundle = RayBatch<R, F, I>.BundlePackets;
 
-    /// <summary>A little more than the whole way to the lamp.</summary>
-    private const double WholeWay = 1 + 1e-6;
-
     private readonly RayBounds[] _bounds = new RayBounds[((rays.Capacity / R.Width) / Bundle) + 1];
+
+    /// <summary>Bounds of each bundle.</summary>
+    public RayBounds[] Bundles => _bounds;
 
     /// <summary>Finds bounds; null if the lamp is not a point.</summary>
     /// <param name="light">The lamp.</param>
@@ -58,8 +58,23 @@ internal sealed unsafe class ShadowBounds<R, F, I>(RayBatch<R, F, I> rays)
             largestZ = R.Max(z, largestZ);
         }
 
-        Point3D least = new(Lane.Least(leastX), Lane.Least(leastY), Lane.Least(leastZ));
-        Point3D largest = new(-Lane.Least(-largestX), -Lane.Least(-largestY), -Lane.Least(-largestZ));
-        return new RayBounds(least, largest, end - largest, end - least, 0, least.X <= largest.X ? WholeWay : -1);
+        return ShadowBounds.Of(
+            end,
+            new Point3D(Lane.Least(leastX), Lane.Least(leastY), Lane.Least(leastZ)),
+            new Point3D(R.Largest(largestX), R.Largest(largestY), R.Largest(largestZ)));
     }
+}
+
+/// <summary>Bounds of rays that all end at one point.</summary>
+internal static class ShadowBounds
+{
+    /// <summary>A little more than the whole way to the lamp.</summary>
+    private const double WholeWay = 1 + 1e-6;
+
+    /// <summary>Bounds of rays to a point from inside a box, which is empty if all rays are off.</summary>
+    /// <param name="end">Where the rays end.</param>
+    /// <param name="least">Least corner of the box.</param>
+    /// <param name="largest">Largest corner of the box.</param>
+    public static RayBounds Of(Point3D end, Point3D least, Point3D largest) =>
+        new(least, largest, end - largest, end - least, 0, least.X <= largest.X ? WholeWay : -1);
 }

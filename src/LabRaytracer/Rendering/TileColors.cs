@@ -35,28 +35,34 @@ internal sealed unsafe class TileColors<F>
         }
     }
 
-    /// <summary>Copies the sums (after <see cref="Average"/>: the means) of consecutive pixels.</summary>
-    public void Copy(int first, Span<Intensity> pixels)
+    /// <summary>Copies the sums (after <see cref="Average"/>: the means) of some consecutive pixels of a row.</summary>
+    /// <param name="first">The first pixel.</param>
+    /// <param name="to">Where they go.</param>
+    /// <param name="count">How many, at most 4.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Copy(int first, Intensity* to, int count)
     {
         float* red = (float*)_sum.R + first, green = (float*)_sum.G + first, blue = (float*)_sum.B + first;
-        int i = 0;
-        for (; i <= pixels.Length - 4; i += 4)
+        if (count == 4)
         {
-            LaneTriples.WriteFour(red + i, green + i, blue + i, ref Unsafe.As<Intensity, float>(ref pixels[i]));
+            LaneTriples.WriteFour(red, green, blue, (float*)to);
+            return;
         }
 
-        for (; i < pixels.Length; i++)
+        for (int i = 0; i < count; i++)
         {
-            pixels[i] = new Intensity(red[i], green[i], blue[i]);
+            to[i] = new Intensity(red[i], green[i], blue[i]);
         }
     }
 
     /// <summary>Starts a sample with the light of the camera rays.</summary>
-    public void SetSample(in ColorColumns<F> radiance)
+    /// <param name="radiance">The light; the columns are kept.</param>
+    /// <returns>Other columns, for the next rays.</returns>
+    public ColorColumns<F> SetSample(in ColorColumns<F> radiance)
     {
-        Copy(radiance.R, _sample.R);
-        Copy(radiance.G, _sample.G);
-        Copy(radiance.B, _sample.B);
+        ColorColumns<F> free = _sample;
+        _sample = radiance;
+        return free;
     }
 
     /// <summary>Adds light to one pixel of the sample.</summary>
@@ -98,6 +104,4 @@ internal sealed unsafe class TileColors<F>
             _sum.B[packet] *= share;
         }
     }
-
-    private void Copy(F* from, F* to) => new ReadOnlySpan<F>(from, _packets).CopyTo(new Span<F>(to, _packets));
 }

@@ -58,6 +58,12 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     {
         _rays.Count = Pixels;
         AimCamera(_options.Samples);
+        if (x + Side <= _area.X + _area.Width && y + Side <= _area.Y + _area.Height)
+        {
+            new Span<R>(_rays.Limit, Pixels / R.Width).Fill(R.Of(double.PositiveInfinity));
+            return;
+        }
+
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
@@ -113,7 +119,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
             bottom = R.Max(bottom, y[packet]);
         }
 
-        return (Lane.Least(left), -Lane.Least(-right), Lane.Least(top), -Lane.Least(-bottom));
+        return (Lane.Least(left), R.Largest(right), Lane.Least(top), R.Largest(bottom));
     }
 
     private void AimRays()

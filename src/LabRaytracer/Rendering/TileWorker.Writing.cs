@@ -8,20 +8,44 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     {
         int width = Math.Min(Side, _area.X + _area.Width - x), height = Math.Min(Side, _area.Y + _area.Height - y);
         bool isPlain = _colors.IsFinite && _options.View != RenderView.Nan;
-        for (int row = 0; row < height; row++)
+        for (int first = 0; first < height; first += Block)
+        {
+            WriteBlocks(first, Math.Min(Block, height - first), width, picture, x - _area.X, y - top);
+        }
+
+        bool isMarked = _tracer.Tally is not null || _options.View == RenderView.Samples || _seams is not null;
+        for (int row = 0; row < height && !(isPlain && !isMarked); row++)
         {
             Span<Intensity> pixels = picture.Row(y - top + row).Slice(x - _area.X, width);
-            for (int first = 0; first < width; first += Block)
-            {
-                _colors.Copy(Number(first, row), pixels.Slice(first, Math.Min(Block, width - first)));
-            }
-
             for (int column = 0; !isPlain && column < width; column++)
             {
                 pixels[column] = Checked(pixels[column], x + column, y + row);
             }
 
             MarkRow(row, pixels);
+        }
+    }
+
+    /// <summary>One row of blocks of pixels into the picture.</summary>
+    /// <param name="first">The first row of pixels, of the tile.</param>
+    /// <param name="rows">Rows of pixels that the picture has.</param>
+    /// <param name="width">Columns of pixels that the picture has.</param>
+    /// <param name="picture">The picture.</param>
+    /// <param name="left">Column of the picture where the tile starts.</param>
+    /// <param name="top">Row of the picture where the tile starts.</param>
+    private void WriteBlocks(int first, int rows, int width, Picture picture, int left, int top)
+    {
+        fixed (Intensity* pixels = picture.Pixels)
+        {
+            Intensity* line = pixels + ((nint)(top + first) * picture.Width) + left;
+            for (int column = 0; column < width; column += Block)
+            {
+                int number = Number(column, first), columns = Math.Min(Block, width - column);
+                for (int row = 0; row < rows; row++)
+                {
+                    _colors.Copy(number + (row * Block), line + ((nint)row * picture.Width) + column, columns);
+                }
+            }
         }
     }
 

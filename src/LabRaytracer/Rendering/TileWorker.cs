@@ -164,7 +164,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
 
         _queue.Clear();
         _tracer.Trace(_rays, 0, _queue);
-        _colors.SetSample(_tracer.Radiance);
+        _tracer.Radiance = _colors.SetSample(_tracer.Radiance);
     }
 
     /// <summary>Level after level of reflection and refraction; each in batches, in the order in which they arose.</summary>
@@ -200,7 +200,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         for (int i = 0; i < count; i++)
         {
             ref readonly SecondaryRay secondary = ref _queue[first + i];
-            _rays.Set(i, secondary.Ray);
+            _rays.Set(i, secondary.OriginX, secondary.OriginY, secondary.OriginZ, secondary.DirectionX, secondary.DirectionY, secondary.DirectionZ);
             R.Put(_rays.Limit, i, double.PositiveInfinity);
             if (_rays.HasDifferentials)
             {

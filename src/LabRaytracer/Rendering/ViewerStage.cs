@@ -8,8 +8,9 @@ internal static unsafe class ViewerStage
     /// <param name="hits">Their hits.</param>
     /// <param name="order">Their numbers, padded to whole groups of lanes.</param>
     /// <param name="count">How many.</param>
+    /// <param name="keepsDirections">Whether somebody reads the rays' directions.</param>
     /// <param name="buffers">Surface points; receives directions, the inside mask, and where shadow rays will come from.</param>
-    public static void Run<R, F, I>(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, ShadingBuffers<R, F, I> buffers)
+    public static void Run<R, F, I>(RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, bool keepsDirections, ShadingBuffers<R, F, I> buffers)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -21,16 +22,25 @@ internal static unsafe class ViewerStage
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
             run.Collect<R, F>(rays.DirectionX, rays.DirectionY, rays.DirectionZ, out R dx, out R dy, out R dz);
-            buffers.DirectionX[packet] = dx;
-            buffers.DirectionY[packet] = dy;
-            buffers.DirectionZ[packet] = dz;
+            if (keepsDirections)
+            {
+                buffers.DirectionX[packet] = dx;
+                buffers.DirectionY[packet] = dy;
+                buffers.DirectionZ[packet] = dz;
+            }
+
             R nx = s.NormalX[packet], ny = s.NormalY[packet], nz = s.NormalZ[packet];
             R inside = R.Less(R.Zero, Lane.Dot(nx, ny, nz, dx, dy, dz));
             buffers.Inside[packet] = inside;
             I source = I.Select(R.MaskToInt32(inside), I.Of(-1), run.Collect(hits.Object));
             buffers.ShadowRays.Source[packet] = source;
             isCommon &= I.AllEqual(source, first);
-            buffers.ShadowRays.SourcePart[packet] = run.Collect(hits.Part);
+            if (!s.SharesNormals)
+            {
+                // Shapes without normals of their own for shading have no parts.
+                buffers.ShadowRays.SourcePart[packet] = run.Collect(hits.Part);
+            }
+
             if (R.Any(inside))
             {
                 s.NormalX[packet] = R.Select(inside, -nx, nx);

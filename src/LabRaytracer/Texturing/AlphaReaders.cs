@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>Alpha of 8-bit texels, code / 255, in all channels.</summary>
 internal readonly unsafe struct Alpha8Reader(int* texels) : ITexelReader
 {
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + texel);
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + texel);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)
@@ -27,7 +27,7 @@ internal readonly unsafe struct Alpha8Reader(int* texels) : ITexelReader
 /// <summary>Alpha of 16-bit texels, code / 65535, in all channels.</summary>
 internal readonly unsafe struct Alpha16Reader(int* texels) : ITexelReader
 {
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + (2L * texel));
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + (2L * texel));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)
@@ -48,7 +48,7 @@ internal readonly unsafe struct Alpha16Reader(int* texels) : ITexelReader
 /// <summary>Alpha of float texels, in all channels.</summary>
 internal readonly unsafe struct AlphaFloatReader(float* texels) : ITexelReader
 {
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + (4L * texel));
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + (4L * texel));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)

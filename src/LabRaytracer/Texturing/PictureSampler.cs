@@ -25,11 +25,7 @@ internal sealed unsafe class PictureSampler<TReader>(
         R* v = lookups.Coordinates.V;
         if (filter == TextureFilter.Nearest)
         {
-            for (int packet = 0; packet < packets; packet++)
-            {
-                R outside = Nearest<R, F, I>(across, up, u[packet], v[packet], out F red, out F green, out F blue);
-                Store<R, F, I>(colors, packet, outside, red, green, blue);
-            }
+            Nearest<R, F, I>(across, up, u, v, colors, packets);
         }
         else
         {
@@ -44,15 +40,40 @@ internal sealed unsafe class PictureSampler<TReader>(
     private (TexelAxis Across, TexelAxis Up) Axes(TextureWrap wrapU, TextureWrap wrapV) =>
         (new(store.Width, options.WrapU ?? wrapU, options.Texels), new(store.Height, options.WrapV ?? wrapV, options.Texels));
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private R Nearest<R, F, I>(in TexelAxis across, in TexelAxis up, R u, R v, out F red, out F green, out F blue)
+    /// <summary>Finds the texels of a few groups of lanes, asks the memory for them, then reads them.</summary>
+    [SkipLocalsInit]
+    private void Nearest<R, F, I>(in TexelAxis across, in TexelAxis up, R* u, R* v, in ColorColumns<F> colors, int packets)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        R outside = across.Nearest<R, F, I>(u, out I x) | up.Nearest<R, F, I>(v, out I y);
-        reader.Read<F, I>(Row(y) + x, out red, out green, out blue);
-        return outside;
+        const int Packets = BilinearBlock<F, I>.Packets;
+        F* memory = stackalloc F[2 * Packets];
+        F* inside = memory;
+        I* texels = (I*)(memory + Packets);
+        for (int first = 0; first < packets; first += Packets)
+        {
+            int count = Math.Min(packets - first, Packets);
+            for (int k = 0; k < count; k++)
+            {
+                R outside = across.Nearest<R, F, I>(u[first + k], out I x) | up.Nearest<R, F, I>(v[first + k], out I y);
+                inside[k] = ~R.MaskToSingle(outside);
+                texels[k] = Row(y) + x;
+            }
+
+            for (int k = 0; k < count * I.Width && store.IsLarge; k++)
+            {
+                reader.Prefetch(((int*)texels)[k]);
+            }
+
+            for (int k = 0; k < count; k++)
+            {
+                reader.Read<F, I>(texels[k], out F red, out F green, out F blue);
+                colors.R[first + k] = red & inside[k];
+                colors.G[first + k] = green & inside[k];
+                colors.B[first + k] = blue & inside[k];
+            }
+        }
     }
 
     [SkipLocalsInit]
@@ -61,32 +82,49 @@ internal sealed unsafe class PictureSampler<TReader>(
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        F* memory = stackalloc F[BilinearBlock<F, I>.Size];
-        BilinearBlock<F, I> block = new(memory);
+        const int Packets = BilinearBlock<F, I>.Packets;
+        F* memory = stackalloc F[2 * BilinearBlock<F, I>.Size];
+        BilinearBlock<F, I> block = new(memory), next = new(memory + BilinearBlock<F, I>.Size);
         bool isUsual = TexelPairs.Fits(across) && TexelPairs.Fits(up);
-        for (int first = 0; first < packets; first += BilinearBlock<F, I>.Packets)
+        int count = Math.Min(packets, Packets);
+        Locate<R, F, I>(across, up, isUsual, u, v, block, count);
+        for (int k = 0; k < count && store.IsLarge; k++)
         {
-            int count = Math.Min(packets - first, BilinearBlock<F, I>.Packets);
-            if (isUsual)
-            {
-                TexelPairs.Locate<R, F, I>(across, up, store.Start, u + first, v + first, block, count);
-            }
+            Prefetch(block, k);
+        }
 
-            for (int k = 0; k < count && !isUsual; k++)
-            {
-                Locate<R, F, I>(across, up, u[first + k], v[first + k], block, k);
-            }
-
-            if (store.IsLarge)
-            {
-                Prefetch((int*)block.Below, count * I.Width);
-                Prefetch((int*)block.Above, count * I.Width);
-            }
-
+        for (int first = 0; first < packets; first += Packets)
+        {
+            int ahead = Math.Clamp(packets - first - Packets, 0, Packets);
+            Locate<R, F, I>(across, up, isUsual, u + first + Packets, v + first + Packets, next, ahead);
             for (int k = 0; k < count; k++)
             {
+                if (k < ahead && store.IsLarge)
+                {
+                    Prefetch(next, k);
+                }
+
                 Mix(block, k, colors, first + k);
             }
+
+            (block, next, count) = (next, block, ahead);
+        }
+    }
+
+    /// <summary>Finds the texels of some groups of lanes.</summary>
+    private void Locate<R, F, I>(in TexelAxis across, in TexelAxis up, bool isUsual, R* u, R* v, in BilinearBlock<F, I> block, int count)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (isUsual)
+        {
+            TexelPairs.Locate<R, F, I>(across, up, store.Start, u, v, block, count);
+        }
+
+        for (int k = 0; k < count && !isUsual; k++)
+        {
+            Locate<R, F, I>(across, up, u[k], v[k], block, k);
         }
     }
 
@@ -104,12 +142,17 @@ internal sealed unsafe class PictureSampler<TReader>(
         block.Across[k] = x1 - x0;
     }
 
-    /// <summary>Asks the memory for texels.</summary>
-    private void Prefetch(int* texels, int count)
+    /// <summary>Asks the memory for the texels of one group of lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Prefetch<F, I>(in BilinearBlock<F, I> block, int k)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
     {
-        for (int k = 0; k < count; k++)
+        int* below = (int*)(block.Below + k), above = (int*)(block.Above + k);
+        for (int lane = 0; lane < I.Width; lane++)
         {
-            reader.Prefetch(texels[k]);
+            reader.Prefetch(below[lane]);
+            reader.Prefetch(above[lane]);
         }
     }
 
@@ -155,16 +198,4 @@ internal sealed unsafe class PictureSampler<TReader>(
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private I Row<I>(I y)
         where I : unmanaged, IIndexLane<I> => I.Of(store.Start) - (y * I.Of(store.Width));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Store<R, F, I>(in ColorColumns<F> colors, int packet, R outside, F red, F green, F blue)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I>
-    {
-        F inside = ~R.MaskToSingle(outside);
-        colors.R[packet] = red & inside;
-        colors.G[packet] = green & inside;
-        colors.B[packet] = blue & inside;
-    }
 }

@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>8-bit codes decoded by a table of 256 floats.</summary>
 internal readonly unsafe struct Table8Reader(int* texels, float* table) : ITexelReader
 {
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + texel);
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + texel);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)
@@ -39,7 +39,7 @@ internal readonly unsafe struct Linear8Reader(int* texels) : ITexelReader
     private const double Inverse = (float)(1.0 / 255);
     private const double InverseRest = (1.0 / 255) - Inverse;
 
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + texel);
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + texel);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)
@@ -80,7 +80,7 @@ internal readonly unsafe struct Linear8Reader(int* texels) : ITexelReader
 /// <summary>16-bit codes decoded by a table of 65536 floats.</summary>
 internal readonly unsafe struct Table16Reader(int* texels, float* table) : ITexelReader
 {
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + (2L * texel));
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + (2L * texel));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)
@@ -107,7 +107,7 @@ internal readonly unsafe struct Table16Reader(int* texels, float* table) : ITexe
 /// <summary>Four floats a texel, linear.</summary>
 internal readonly unsafe struct FloatReader(float* texels) : ITexelReader
 {
-    public void Prefetch(int texel) => CacheLine.Prefetch(texels + (4L * texel));
+    public void Prefetch(int texel) => CacheLine.PrefetchFar(texels + (4L * texel));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)

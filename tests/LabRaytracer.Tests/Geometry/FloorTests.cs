@@ -34,6 +34,9 @@ public unsafe class FloorTests
         Assert.InRange(hits, 5000, 15000);
     }
 
+    [Fact]
+    public void Surface_BatchOfFloor_SameBitsAsOneRay() => new BatchTest().RunAllDoubles();
+
     /// <summary>Near and far, steep and grazing.</summary>
     private static RayLanes<Double1> RandomRay(Random random, double height)
     {
@@ -59,5 +62,31 @@ public unsafe class FloorTests
         }
 
         return isHit;
+    }
+
+    /// <summary>Runs of consecutive rays, and rays that hit here and there.</summary>
+    private sealed class BatchTest : ILaneTest
+    {
+        public void Run<R, F, I>()
+            where R : unmanaged, ILane<R, F, I>
+            where F : unmanaged, ILane<F, F, I>
+            where I : unmanaged, IIndexLane<I>
+        {
+            InfinitePlane floor = new(new Point3D(0.3, -1, -7), Vector3D.UnitY);
+            Random random = new(5);
+            Ray[] rays = [.. Enumerable.Range(0, 300).Select(i => new Ray(
+                new Point3D(random.NextDouble(), 2, 9 * random.NextDouble()),
+                new Vector3D(random.NextDouble() - 0.5, i < 100 ? -1 : random.NextDouble() - 0.5, random.NextDouble()).Normalized()))];
+            using ShapeRun<R, F, I> run = new([floor], Transform.Identity, rays.Length);
+            run.SetRays(rays);
+            run.Nearest();
+            int[] hits = run.Surface();
+            Assert.InRange(hits.Length, 150, 250);
+            for (int i = 0; i < hits.Length; i++)
+            {
+                Assert.True(floor.Intersect(rays[hits[i]], double.PositiveInfinity, out Hit hit));
+                Assert.Equal(ShapeRun<R, F, I>.Numbers(floor.SurfaceAt(rays[hits[i]], hit)), run.SurfaceNumbers(i));
+            }
+        }
     }
 }

@@ -36,6 +36,35 @@ public sealed class RealLaneTests
     [Fact]
     public void Float16_EveryOperation_EqualsScalar() => Check<Float16>();
 
+    [Fact]
+    public void LeastAndLargest_InAnyLane_AreFound()
+    {
+        Extremes<Double1>();
+        Extremes<Double2>();
+        Extremes<Double4>();
+        Extremes<Double8>();
+        Extremes<Double16>();
+        Extremes<Float1>();
+        Extremes<Float4>();
+        Extremes<Float8>();
+        Extremes<Float16>();
+    }
+
+    private static unsafe void Extremes<R>()
+        where R : unmanaged, IReal<R>
+    {
+        for (int lane = 0; lane < R.Width; lane++)
+        {
+            foreach (double extreme in new[] { 3, -3, double.PositiveInfinity, double.NegativeInfinity })
+            {
+                R lanes = R.Of(0.5);
+                Lane.Put(&lanes, lane, extreme);
+                Assert.Equal(R.Width == 1 ? extreme : Math.Max(extreme, 0.5), R.Largest(lanes));
+                Assert.Equal(R.Width == 1 ? extreme : Math.Min(extreme, 0.5), Lane.Least(lanes));
+            }
+        }
+    }
+
     private static void Check<R>()
         where R : unmanaged, IReal<R>
     {

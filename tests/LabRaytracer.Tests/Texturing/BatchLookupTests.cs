@@ -21,6 +21,18 @@ public sealed class BatchLookupTests
         }
     }
 
+    [Theory]
+    [InlineData(TextureFilter.Nearest)]
+    [InlineData(TextureFilter.Bilinear)]
+    public void Texture_LargePicture_SameAsScalar(TextureFilter filter)
+    {
+        // More than 65536 texels: they are asked for ahead.
+        foreach (Texture texture in StoreTests.EveryFormat(320, 256))
+        {
+            SamplerRun.SameAsScalar(texture.With(new SamplingOptions { Filter = filter }), TextureWrap.Repeat, TextureWrap.Clamp);
+        }
+    }
+
     [Fact]
     public void Texture_OneTexel_IsConstantWhereTheWrapHasAPicture()
     {

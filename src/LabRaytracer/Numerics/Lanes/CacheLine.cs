@@ -15,4 +15,14 @@ internal static unsafe class CacheLine
             Sse.Prefetch0(address);
         }
     }
+
+    /// <summary>The same into the second-level cache only: more lines can be on their way at once than into the first, and those that are read now stay there.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void PrefetchFar(void* address)
+    {
+        if (Sse.IsSupported)
+        {
+            Sse.Prefetch1(address);
+        }
+    }
 }

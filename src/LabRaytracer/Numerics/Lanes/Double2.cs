@@ -119,7 +119,7 @@ internal readonly struct Double2(Vector128<double> value) : IReal<Double2>
     public static bool All(Double2 mask) => mask.Value.AsInt64() == Vector128<long>.AllBitsSet;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Largest(Double2 a) => Math.Max(a.Value.ToScalar(), a.Value.GetElement(1));
+    public static double Largest(Double2 a) => double.MaxNative(a.Value.ToScalar(), a.Value.GetElement(1));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Get(Double2 a, int lane) => a.Value.GetElement(lane);

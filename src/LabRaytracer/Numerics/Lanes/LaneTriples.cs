@@ -37,16 +37,16 @@ internal static unsafe class LaneTriples
     /// <param name="z">Four numbers.</param>
     /// <param name="to">Room for twelve numbers.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void WriteFour(float* x, float* y, float* z, ref float to)
+    public static void WriteFour(float* x, float* y, float* z, float* to)
     {
         Vector128<float> xs = Vector128.Load(x), ys = Vector128.Load(y), zs = Vector128.Load(z);
         if (Sse.IsSupported)
         {
             // x0 y0 x1 y1, x2 y2 x3 y3; then z0 z0 x1 x1, y1 y1 z1 z1, z2 z2 x3 x3, y3 y3 z3 z3.
             Vector128<float> low = Sse.UnpackLow(xs, ys), high = Sse.UnpackHigh(xs, ys);
-            Sse.Shuffle(low, Sse.Shuffle(zs, low, 0b10_10_00_00), 0b10_00_01_00).StoreUnsafe(ref to);
-            Sse.Shuffle(Sse.Shuffle(low, zs, 0b01_01_11_11), high, 0b01_00_10_00).StoreUnsafe(ref to, 4);
-            Sse.Shuffle(Sse.Shuffle(zs, high, 0b10_10_10_10), Sse.Shuffle(high, zs, 0b11_11_11_11), 0b10_00_10_00).StoreUnsafe(ref to, 8);
+            Sse.Shuffle(low, Sse.Shuffle(zs, low, 0b10_10_00_00), 0b10_00_01_00).Store(to);
+            Sse.Shuffle(Sse.Shuffle(low, zs, 0b01_01_11_11), high, 0b01_00_10_00).Store(to + 4);
+            Sse.Shuffle(Sse.Shuffle(zs, high, 0b10_10_10_10), Sse.Shuffle(high, zs, 0b11_11_11_11), 0b10_00_10_00).Store(to + 8);
             return;
         }
 
@@ -55,11 +55,11 @@ internal static unsafe class LaneTriples
         Vector128<float> xs0 = Vector128.Shuffle(xs, Vector128.Create(0, 0, 1, 1)), ys0 = Vector128.Shuffle(ys, Vector128.Create(1, 1, 2, 2));
         Vector128<float> zs0 = Vector128.Shuffle(zs, Vector128.Create(0, 0, 0, 0));
         Vector128<float> first = Vector128.Shuffle(ys, Vector128.Create(0, 0, 0, 0));
-        Vector128.ConditionalSelect(third, zs0, Vector128.ConditionalSelect(second, first, xs0)).StoreUnsafe(ref to);
+        Vector128.ConditionalSelect(third, zs0, Vector128.ConditionalSelect(second, first, xs0)).Store(to);
         Vector128<float> xs1 = Vector128.Shuffle(xs, Vector128.Create(2, 2, 2, 2)), zs1 = Vector128.Shuffle(zs, Vector128.Create(1, 1, 1, 1));
-        Vector128.ConditionalSelect(third, xs1, Vector128.ConditionalSelect(second, zs1, ys0)).StoreUnsafe(ref to, 4);
+        Vector128.ConditionalSelect(third, xs1, Vector128.ConditionalSelect(second, zs1, ys0)).Store(to + 4);
         Vector128<float> zs2 = Vector128.Shuffle(zs, Vector128.Create(2, 2, 3, 3)), xs2 = Vector128.Shuffle(xs, Vector128.Create(3, 3, 3, 3));
         Vector128<float> ys2 = Vector128.Shuffle(ys, Vector128.Create(3, 3, 3, 3));
-        Vector128.ConditionalSelect(third, ys2, Vector128.ConditionalSelect(second, xs2, zs2)).StoreUnsafe(ref to, 8);
+        Vector128.ConditionalSelect(third, ys2, Vector128.ConditionalSelect(second, xs2, zs2)).Store(to + 8);
     }
 }
