@@ -98,7 +98,8 @@ internal static unsafe class MeshPencil
         float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
         PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, goal);
         float limit = leaf.Start();
-        BvhWideTraversal.Run(tree.Boxes, new PencilBoxes(pencil, tree.Frame), limit, ref leaf);
+        PencilBoxes boxes = new(pencil, tree.Frame);
+        BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);
         leaf.End();
     }
 }

@@ -106,7 +106,7 @@ internal static unsafe class MeshSearch
         {
             MeshLeaf<R, F, I, P, TSink> triangles = new(tree.Triangles, positions, ray, R.Less(R.Zero, boxRay.Limit), sink);
             BvhBundleLeaf<R, F, I, MeshLeaf<R, F, I, P, TSink>> leaf = new(rays, triangles);
-            BvhWideTraversal.Run(tree.Boxes, bundle, leaf.LargestLimit, ref leaf);
+            BvhWideTraversal.Run(tree.Boxes, ref bundle, leaf.LargestLimit, ref leaf);
             sink = leaf.Items.Sink;
         }
     }

@@ -74,12 +74,14 @@ internal static unsafe class MeshSingle
         where TSinks : struct, IMeshSinks<TSink>
     {
         MeshSingleLeaf<Q, R1, P, TSink> leaf = new(tree.Triangles, positions);
+        Unsafe.SkipInit(out BvhWideRay boxes);
         for (uint active = boxRay.Active; active != 0; active &= active - 1)
         {
             int lane = BitOperations.TrailingZeroCount(active);
             leaf.Sink = sinks.Start(lane);
             float limit = leaf.Aim(ray, boxRay, lane);
-            BvhWideTraversal.Run(tree.Boxes, BvhWideRay.Of(boxRay, lane), limit, ref leaf);
+            boxes.Aim(boxRay, lane);
+            BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);
             sinks.End(lane, leaf.Sink);
         }
     }
