@@ -3,14 +3,11 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Pencils of rays against a mesh, in its object space.</summary>
-/// <remarks>
-/// The same hits as <see cref="MeshSearch"/>, bit for bit: what floats leave open is decided by the same test.
-/// </remarks>
+/// <remarks>The same hits as <see cref="MeshSearch"/>, bit for bit: what floats leave open is decided by the same test.</remarks>
 internal static unsafe class MeshPencil
 {
     /// <summary>Fewer rays are no pencil.</summary>
     public const int FewestRays = 4;
-
 
     /// <summary>Rays that are searched for together.</summary>
     private const int RaysTogether = 16;

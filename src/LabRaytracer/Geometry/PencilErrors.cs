@@ -13,7 +13,7 @@ namespace LabRaytracer;
 /// For such hits, |pz - oz| is at most d, or the way from origins to the triangle.</para>
 /// <para>Its distance t is a mean of the vertices' z, with the edge functions as weights, and 16 roundings: between the least and the largest z, but for 16 u times the
 /// largest. The volume, which is that mean times the sum of the edge functions, is off by the largest z times the sum of their errors.</para>
-/// <para>Double lanes: r is so far below the rounding of edge functions to float that one number, <see cref="RayPencil.Slack"/>, serves all triangles (<see cref="PencilTriangles"/>).</para>
+/// <para>Double lanes: a and c are so far below the rounding of edge functions to float that one number, <see cref="RayPencil.Slack"/>, serves all triangles (<see cref="PencilTriangles"/>).</para>
 /// </remarks>
 internal static class PencilErrors
 {

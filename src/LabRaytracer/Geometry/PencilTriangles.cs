@@ -11,6 +11,7 @@ namespace LabRaytracer;
 /// <para>Error bound of an edge function, against the sign that <see cref="WatertightTriangle"/> finds in doubles (u = 2^-24, D the size of the pencil): the evaluation in floats,
 /// less than 8 u (|middle| + span), taken twice; the set-up 2^-47 D^2; the test's own sheared vertices, each wrong by up to 2^-51 D, times how far vertices are beside the rays,
 /// 2^-47 D^2; lines that pass the apex, 32 D times how far. The last three are multiplied by 8, as much as shearing may add, and more.</para>
+/// <para>In float lanes, the evaluation counts four times, as the test's distance has 16 roundings of its own; the rest is in <see cref="PencilErrors"/>.</para>
 /// </remarks>
 internal static unsafe class PencilTriangles
 {
