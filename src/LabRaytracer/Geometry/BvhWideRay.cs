@@ -3,35 +3,40 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>One ray against eight boxes at a time: the numbers of <see cref="BvhRay{R, F, I}"/> of one lane, in every lane.</summary>
-internal readonly unsafe struct BvhWideRay : IBvhWideTest
+internal unsafe struct BvhWideRay : IBvhWideTest
 {
     /// <summary>1 / direction.</summary>
-    public readonly Float8 InverseX, InverseY, InverseZ;
+    public Float8 InverseX, InverseY, InverseZ;
 
     /// <summary>Offsets of the planes that are met first.</summary>
-    public readonly Float8 EarlyX, EarlyY, EarlyZ;
+    public Float8 EarlyX, EarlyY, EarlyZ;
 
     /// <summary>Offsets of the planes that are met last.</summary>
-    public readonly Float8 LateX, LateY, LateZ;
+    public Float8 LateX, LateY, LateZ;
 
     /// <summary>Where in a node the planes start that are met first; those that are met last are <see cref="Across"/> away.</summary>
-    public readonly int NearX, NearY, NearZ;
+    public int NearX, NearY, NearZ;
 
     /// <summary>From smallest to largest coordinates of a node.</summary>
     public const int Across = 3 * BvhWideNode.Width;
 
-    /// <summary>Takes one lane of prepared rays.</summary>
+    /// <summary>Goes on with another ray, one lane of prepared ones: written in place, as the whole is slow to create and to copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static BvhWideRay Of<R, F, I>(in BvhRay<R, F, I> rays, int lane)
+    public void Aim<R, F, I>(in BvhRay<R, F, I> rays, int lane)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> => new(
-            new(Take(rays.X.Inverse, lane), Take(rays.X.Near, lane), Take(rays.X.Far, lane), (rays.NegativeX >> lane) & 1),
-            new(Take(rays.Y.Inverse, lane), Take(rays.Y.Near, lane), Take(rays.Y.Far, lane), (rays.NegativeY >> lane) & 1),
-            new(Take(rays.Z.Inverse, lane), Take(rays.Z.Near, lane), Take(rays.Z.Far, lane), (rays.NegativeZ >> lane) & 1));
+        where I : unmanaged, IIndexLane<I>
+    {
+        (InverseX, EarlyX, LateX) = (Float8.Of(Take(rays.X.Inverse, lane)), Float8.Of(Take(rays.X.Near, lane)), Float8.Of(Take(rays.X.Far, lane)));
+        (InverseY, EarlyY, LateY) = (Float8.Of(Take(rays.Y.Inverse, lane)), Float8.Of(Take(rays.Y.Near, lane)), Float8.Of(Take(rays.Y.Far, lane)));
+        (InverseZ, EarlyZ, LateZ) = (Float8.Of(Take(rays.Z.Inverse, lane)), Float8.Of(Take(rays.Z.Near, lane)), Float8.Of(Take(rays.Z.Far, lane)));
+        NearX = (int)((rays.NegativeX >> lane) & 1) * Across;
+        NearY = BvhWideNode.Width + ((int)((rays.NegativeY >> lane) & 1) * Across);
+        NearZ = (2 * BvhWideNode.Width) + ((int)((rays.NegativeZ >> lane) & 1) * Across);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public uint Meet(float* planes, float limit, out Float8 near)
+    public readonly uint Meet(float* planes, float limit, out Float8 near)
     {
         const int Axis = BvhWideNode.Width;
         Float8 nearX = Float8.Fma(*(Float8*)(planes + NearX), InverseX, EarlyX);
@@ -46,18 +51,5 @@ internal readonly unsafe struct BvhWideRay : IBvhWideTest
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private BvhWideRay(in Axis x, in Axis y, in Axis z)
-    {
-        (InverseX, EarlyX, LateX) = (Float8.Of(x.Inverse), Float8.Of(x.Near), Float8.Of(x.Far));
-        (InverseY, EarlyY, LateY) = (Float8.Of(y.Inverse), Float8.Of(y.Near), Float8.Of(y.Far));
-        (InverseZ, EarlyZ, LateZ) = (Float8.Of(z.Inverse), Float8.Of(z.Near), Float8.Of(z.Far));
-        NearX = (int)x.IsNegative * Across;
-        NearY = BvhWideNode.Width + ((int)y.IsNegative * Across);
-        NearZ = (2 * BvhWideNode.Width) + ((int)z.IsNegative * Across);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Take<F>(in F lanes, int lane) => Unsafe.Add(ref Unsafe.As<F, float>(ref Unsafe.AsRef(in lanes)), lane);
-
-    private readonly record struct Axis(float Inverse, float Near, float Far, uint IsNegative);
 }

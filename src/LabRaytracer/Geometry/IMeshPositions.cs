@@ -30,6 +30,20 @@ internal readonly unsafe struct MeshSinglePositions(float* numbers) : IMeshPosit
         where Q : unmanaged, IQuad<Q> => Q.Load(numbers + element);
 }
 
+/// <summary>Coordinates in doubles, read as float lanes see them.</summary>
+internal readonly unsafe struct MeshRoundedPositions(double* numbers) : IMeshPositions
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public R At<R, F, I>(int element)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => R.Of((float)numbers[element]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Q Row<Q>(int element)
+        where Q : unmanaged, IQuad<Q> => Q.LoadRounded(numbers + element);
+}
+
 /// <summary>Coordinates in doubles.</summary>
 internal readonly unsafe struct MeshDoublePositions(double* numbers) : IMeshPositions
 {

@@ -167,7 +167,8 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     {
         for (int k = 0; k < count; k++)
         {
-            MeshSearch.Block<R, F, I>(_members[member].Mesh.Data, _trees[member], lanes[k].Ray, ref rays.Limit[packet + k]);
+            I source = rays.SourceIn(packet + k, _members[member].Number);
+            MeshSearch.Block<R, F, I>(_members[member].Mesh.Data, _trees[member], lanes[k].Ray, source, ref rays.Limit[packet + k]);
         }
     }
 

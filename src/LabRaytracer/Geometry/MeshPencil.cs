@@ -3,10 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Pencils of rays against a mesh, in its object space.</summary>
-/// <remarks>
-/// The same hits as <see cref="MeshSearch"/>, bit for bit: what floats leave open is decided by the same test.
-/// Float lanes are left to that search: their test is hardly more exact than edge functions in floats are.
-/// </remarks>
+/// <remarks>The same hits as <see cref="MeshSearch"/>, bit for bit: what floats leave open is decided by the same test.</remarks>
 internal static unsafe class MeshPencil
 {
     /// <summary>Fewer rays are no pencil.</summary>
@@ -18,6 +15,10 @@ internal static unsafe class MeshPencil
     /// <summary>Groups of lanes that are searched for together.</summary>
     public static int PacketsOf<R>()
         where R : unmanaged, IReal<R> => Math.Max(1, RaysTogether / R.Width);
+
+    /// <summary>Tells whether pencils are faster than <see cref="MeshSearch"/>: not where one group of float lanes holds all rays, as a triangle then takes no longer to test than to prepare.</summary>
+    public static bool Pays<R>()
+        where R : unmanaged, IReal<R> => !R.IsSingle || R.Width < RaysTogether;
 
     /// <summary>Keeps the nearest hits, if the rays are a pencil that starts in its apex; else false, and nothing happens.</summary>
     /// <param name="mesh">The mesh.</param>
@@ -32,7 +33,7 @@ internal static unsafe class MeshPencil
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        if (R.IsSingle || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, out RayPencil pencil))
+        if (!Pays<R>() || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, out RayPencil pencil))
         {
             return false;
         }
@@ -54,7 +55,7 @@ internal static unsafe class MeshPencil
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        if (R.IsSingle || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, out RayPencil pencil))
+        if (!Pays<R>() || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, out RayPencil pencil))
         {
             return false;
         }
@@ -73,6 +74,10 @@ internal static unsafe class MeshPencil
         {
             Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, goal);
         }
+        else if (R.IsSingle)
+        {
+            Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, goal);
+        }
         else
         {
             Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, goal);
@@ -90,7 +95,8 @@ internal static unsafe class MeshPencil
         float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
         PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, goal);
         float limit = leaf.Start();
-        BvhWideTraversal.Run(tree.Boxes, new PencilBoxes(pencil, tree.Frame), limit, ref leaf);
+        PencilBoxes boxes = new(pencil, tree.Frame);
+        BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);
         leaf.End();
     }
 }

@@ -29,7 +29,12 @@ internal static unsafe class MeshSearch
     }
 
     /// <summary>Ends the rays of a group of lanes that are blocked: their limits become -1.</summary>
-    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, ref R limit)
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="tree">Its tree.</param>
+    /// <param name="ray">The rays.</param>
+    /// <param name="source">Numbers of the triangles that they leave, or -1.</param>
+    /// <param name="limit">Their limits.</param>
+    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, in I source, ref R limit)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -41,11 +46,11 @@ internal static unsafe class MeshSearch
 
         if (!AreTogether(boxRay))
         {
-            MeshSingle.Block(mesh, tree, ray, boxRay, ref limit);
+            MeshSingle.Block(mesh, tree, ray, boxRay, source, ref limit);
             return;
         }
 
-        MeshBlockSink<R> sink = default;
+        MeshBlockSink<R, F, I> sink = new(source);
         Run(mesh, tree, ray, ref boxRay, ref sink);
         limit = R.Select(sink.Blocked, R.Of(-1), limit);
     }
@@ -101,7 +106,7 @@ internal static unsafe class MeshSearch
         {
             MeshLeaf<R, F, I, P, TSink> triangles = new(tree.Triangles, positions, ray, R.Less(R.Zero, boxRay.Limit), sink);
             BvhBundleLeaf<R, F, I, MeshLeaf<R, F, I, P, TSink>> leaf = new(rays, triangles);
-            BvhWideTraversal.Run(tree.Boxes, bundle, leaf.LargestLimit, ref leaf);
+            BvhWideTraversal.Run(tree.Boxes, ref bundle, leaf.LargestLimit, ref leaf);
             sink = leaf.Items.Sink;
         }
     }

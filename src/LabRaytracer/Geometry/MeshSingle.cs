@@ -25,7 +25,7 @@ internal static unsafe class MeshSingle
     }
 
     /// <summary>Ends the rays of a group of lanes that are blocked: their limits become -1.</summary>
-    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, ref R limit)
+    public static void Block<R, F, I>(MeshData mesh, MeshTree tree, in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, in I source, ref R limit)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -33,11 +33,11 @@ internal static unsafe class MeshSingle
         R* limits = (R*)Unsafe.AsPointer(ref limit);
         if (R.IsSingle)
         {
-            Run<R, F, I, Float4, Float1, MeshBlockSink<Float1>, Ender<R, F, I, Float1>>(mesh, tree, ray, boxRay, new(limits));
+            Run<R, F, I, Float4, Float1, MeshBlockSink<Float1, Float1, Int1>, Ender<R, F, I, Float1>>(mesh, tree, ray, boxRay, new(limits, source));
         }
         else
         {
-            Run<R, F, I, Double4, Double1, MeshBlockSink<Double1>, Ender<R, F, I, Double1>>(mesh, tree, ray, boxRay, new(limits));
+            Run<R, F, I, Double4, Double1, MeshBlockSink<Double1, Float1, Int1>, Ender<R, F, I, Double1>>(mesh, tree, ray, boxRay, new(limits, source));
         }
     }
 
@@ -74,12 +74,14 @@ internal static unsafe class MeshSingle
         where TSinks : struct, IMeshSinks<TSink>
     {
         MeshSingleLeaf<Q, R1, P, TSink> leaf = new(tree.Triangles, positions);
+        Unsafe.SkipInit(out BvhWideRay boxes);
         for (uint active = boxRay.Active; active != 0; active &= active - 1)
         {
             int lane = BitOperations.TrailingZeroCount(active);
             leaf.Sink = sinks.Start(lane);
             float limit = leaf.Aim(ray, boxRay, lane);
-            BvhWideTraversal.Run(tree.Boxes, BvhWideRay.Of(boxRay, lane), limit, ref leaf);
+            boxes.Aim(boxRay, lane);
+            BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);
             sinks.End(lane, leaf.Sink);
         }
     }
@@ -111,15 +113,15 @@ internal static unsafe class MeshSingle
     }
 
     /// <summary>Sinks that end rays.</summary>
-    private readonly struct Ender<R, F, I, R1>(R* limits) : IMeshSinks<MeshBlockSink<R1>>
+    private readonly struct Ender<R, F, I, R1>(R* limits, I source) : IMeshSinks<MeshBlockSink<R1, Float1, Int1>>
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
         where R1 : unmanaged, ILane<R1, Float1, Int1>
     {
-        public MeshBlockSink<R1> Start(int lane) => default;
+        public MeshBlockSink<R1, Float1, Int1> Start(int lane) => new(Int1.Of(I.Get(source, lane)));
 
-        public void End(int lane, in MeshBlockSink<R1> sink)
+        public void End(int lane, in MeshBlockSink<R1, Float1, Int1> sink)
         {
             if (R1.Any(sink.Blocked))
             {

@@ -88,10 +88,14 @@ internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, 
         Turn(triangle->Element0, b->Element0, c->Element0, d->Element0, out Q x0, out Q y0, out Q z0);
         Turn(triangle->Element1, b->Element1, c->Element1, d->Element1, out Q x1, out Q y1, out Q z1);
         Turn(triangle->Element2, b->Element2, c->Element2, d->Element2, out Q x2, out Q y2, out Q z2);
-        return WatertightTriangle.Intersect(_ray, x0, y0, z0, x1, y1, z1, x2, y2, z2, out t, out weight1, out weight2);
+        return WatertightTriangle.IntersectTurned(_ray, x0, y0, z0, x1, y1, z1, x2, y2, z2, out t, out weight1, out weight2);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void Turn(int a, int b, int c, int d, out Q x, out Q y, out Q z) =>
-        Q.Turn(positions.Row<Q>(a), positions.Row<Q>(b), positions.Row<Q>(c), positions.Row<Q>(d), out x, out y, out z);
+    private readonly void Turn(int a, int b, int c, int d, out Q x, out Q y, out Q z)
+    {
+        // All lanes are the same ray, with the same largest axis.
+        Q.Turn(positions.Row<Q>(a), positions.Row<Q>(b), positions.Row<Q>(c), positions.Row<Q>(d), out Q first, out Q second, out Q third);
+        (x, y, z) = _ray.SharedAxis == 2 ? (first, second, third) : _ray.SharedAxis == 1 ? (third, first, second) : (second, third, first);
+    }
 }

@@ -20,9 +20,8 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
 
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
-        I isOwn = I.Equal(rays.Source[first + packet], I.Of(number));
-        lanes.Triangle = I.Select(isOwn, rays.SourcePart[first + packet], I.Of(-1));
-        F end = R.ToSingle(lanes.Limit * lanes.Pace), slack = F.Of(pencil.Size * 1e-9);
+        lanes.Triangle = rays.SourceIn(first + packet, number);
+        F end = R.ToSingle(lanes.Limit * lanes.Pace), slack = F.Of(pencil.LimitError);
         F isOn = R.MaskToSingle(R.Less(R.Zero, lanes.Limit));
         lanes.Far = F.Select(isOn, F.Fma(end, F.Of(1 + Rounding), slack), F.Of(-1));
         lanes.Between = F.Select(isOn, F.Fma(end, F.Of(1 - Rounding), -slack), F.Of(-1));
@@ -31,7 +30,7 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Take(ref PencilLanes<R, F, I> lanes, int packet, in PencilHits<F> found, int place)
     {
-        F possible = found.Possible & F.LessOrEqual(found.VolumeLow, lanes.Far * found.Sum);
+        F possible = found.PossibleBefore(lanes.Far);
         possible &= ~F.MaskFromInt32(I.Equal(lanes.Triangle, I.Of(triangles[place].Number)));
         if (!F.Any(possible))
         {
@@ -40,6 +39,7 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
 
         F blocked = possible & found.Certain & F.LessOrEqual(found.VolumeHigh, lanes.Between * (found.Sum - found.SumError));
         F open = possible & ~blocked;
+
         if (F.Any(open))
         {
             Decide(ref lanes, open, place, ref blocked);

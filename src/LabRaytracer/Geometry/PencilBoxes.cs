@@ -5,13 +5,12 @@ namespace LabRaytracer;
 /// <summary>A pencil of rays against eight boxes at a time: the four planes around it, and the nearest and farthest z of interest.</summary>
 /// <remarks>
 /// A box lies outside of a plane through the apex, x = s z or y - k x = s z with the pencil's shear k, if its corner that is farthest inside does; which one that is depends
-/// on the signs of s and k alone. Floats here are rounded by less than 2^-21 of the pencil's size, four times that is the margin; the triangle test sees points at most
-/// 2^-49 of it beside a line.
+/// on the signs of s and k alone. Floats here are rounded by less than 2^-21 of the pencil's size, four times that is the margin, and how far beside a line the triangle test sees points.
 /// </remarks>
 internal readonly unsafe struct PencilBoxes : IBvhWideTest
 {
+    private const double Rounding = 1.0 / (1 << 19);
     private const int Across = 3 * BvhWideNode.Width;
-    private const double Margin = 1.0 / (1 << 19);
     private readonly Float8 _lowX, _highX, _lowY, _highY, _shear;
     private readonly Float8 _lowXLimit, _highXLimit, _lowYLimit, _highYLimit;
     private readonly Float8 _sign, _nearest, _farthest;
@@ -22,7 +21,7 @@ internal readonly unsafe struct PencilBoxes : IBvhWideTest
     public PencilBoxes(in RayPencil pencil, in BvhFrame tree)
     {
         int axisX = (pencil.Axis + 1) % 3, axisY = (pencil.Axis + 2) % 3, z = pencil.Axis * BvhWideNode.Width;
-        double margin = pencil.Size * Margin;
+        double margin = (pencil.Size * Rounding) + (pencil.TestError * (1 + Math.Abs(pencil.Shear)));
         double x = pencil.ApexX - Center(tree, axisX), y = pencil.ApexY - Center(tree, axisY) - (pencil.Shear * x), apexZ = pencil.ApexZ - Center(tree, pencil.Axis);
         (_atX, _atY) = (axisX * BvhWideNode.Width, axisY * BvhWideNode.Width);
         SetPlane(pencil.Sign * (pencil.MiddleX - pencil.SpreadX), x, apexZ, -margin, z, z + Across, out _lowX, out _lowXLimit, out _atLowX);

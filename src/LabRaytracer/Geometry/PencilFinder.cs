@@ -6,9 +6,6 @@ namespace LabRaytracer;
 /// <summary>Finds out whether some groups of lanes are a pencil of rays.</summary>
 internal static unsafe class PencilFinder
 {
-    /// <summary>Sizes of scenes whose numbers stay normal in floats, as products of three and in error bounds.</summary>
-    private const double Smallest = 1.0 / (1 << 20), Largest = 1 << 30;
-
     /// <summary>Tells whether rays are a pencil, and which.</summary>
     /// <param name="lanes">Groups of lanes with their rays and limits; their slopes are set.</param>
     /// <param name="count">How many groups.</param>
@@ -48,8 +45,7 @@ internal static unsafe class PencilFinder
             }
         }
 
-        SetSize(ref pencil, apex, mesh, deviation, limit);
-        if (!(pencil.Size is > Smallest and < Largest && deviation <= pencil.Size * 1e-12))
+        if (!PencilErrors.SetSize<R>(ref pencil, apex, mesh, deviation, limit))
         {
             return false;
         }
@@ -58,16 +54,19 @@ internal static unsafe class PencilFinder
         return true;
     }
 
-    /// <summary>Where a ray starts, or where it ends.</summary>
+    /// <summary>Where a ray starts, or where it ends, in the precision of lanes.</summary>
     private static Point3D EndOf<R, F, I>(PencilLanes<R, F, I>* lanes, int lane, bool endsAtApex)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
         Point3D origin = new(Take(lanes->Ray.OriginX, lane), Take(lanes->Ray.OriginY, lane), Take(lanes->Ray.OriginZ, lane));
-        return endsAtApex
-            ? origin + (Take(lanes->Limit, lane) * new Vector3D(Take(lanes->Ray.DirectionX, lane), Take(lanes->Ray.DirectionY, lane), Take(lanes->Ray.DirectionZ, lane)))
-            : origin;
+        if (endsAtApex)
+        {
+            origin += Take(lanes->Limit, lane) * new Vector3D(Take(lanes->Ray.DirectionX, lane), Take(lanes->Ray.DirectionY, lane), Take(lanes->Ray.DirectionZ, lane));
+        }
+
+        return R.IsSingle ? new((float)origin.X, (float)origin.Y, (float)origin.Z) : origin;
     }
 
     private static double Take<R>(R lanes, int lane)
@@ -89,7 +88,8 @@ internal static unsafe class PencilFinder
         RayLanes<R>* ray = &lanes->Ray;
         R isOff = R.LessOrEqual(lanes->Limit, R.Zero);
         R x = R.Abs(ray->DirectionX), y = R.Abs(ray->DirectionY), z = R.Abs(ray->DirectionZ), along = (&ray->DirectionX)[axis] * R.Of(sign);
-        R isAlong = R.LessOrEqual(x, along) & R.LessOrEqual(y, along) & R.LessOrEqual(z, along) & R.Less(R.Of(1e-30), along) & R.Less(along, R.Of(1e30));
+        R isAlong = R.LessOrEqual(x, along) & R.LessOrEqual(y, along) & R.LessOrEqual(z, along) & R.Less(R.Of(PencilErrors.LeastPace), along) & R.Less(along, R.Of(1 / PencilErrors.LeastPace));
+        isAlong &= WatertightRay<R>.IsAlong(axis, x, y, z);
         if (!R.All(isOff | isAlong))
         {
             return false;
@@ -106,14 +106,6 @@ internal static unsafe class PencilFinder
         deviation = Math.Max(deviation, R.Largest(beside & ~isOff));
         limit = Math.Max(limit, R.Largest(lanes->Limit * along & ~isOff));
         return double.IsFinite(deviation + limit);
-    }
-
-    private static void SetSize(ref RayPencil pencil, Point3D apex, in BvhFrame mesh, double deviation, double way)
-    {
-        // An origin is at most sqrt(3) times its way along the largest axis from the apex; its coordinates add up to three times that. The points at the limits are rounded.
-        pencil.Size = mesh.Size + Math.Abs(apex.X) + Math.Abs(apex.Y) + Math.Abs(apex.Z) + (3 * way);
-        double beside = way == 0 ? 0 : deviation + (pencil.Size * 1.7763568394002505e-15);
-        pencil.Slack = pencil.Size * ((pencil.Size * 1.1368683772161603e-13) + (256 * beside));
     }
 
     private static void Turn(int axis, Point3D apex, Vector3D direction, out double x, out double y, out double z, out double along) =>
@@ -138,7 +130,7 @@ internal static unsafe class PencilFinder
         }
 
         // The largest of x and -x, and of y and -y.
-        pencil.Shear = isSheared ? sums.Shear : 0;
+        pencil.Shear = isSheared ? (float)sums.Shear : 0;
         F largestX = F.Of(-9), largestY = largestX, leastX = largestX, leastY = largestX;
         for (int packet = 0; packet < count; packet++)
         {
@@ -146,10 +138,11 @@ internal static unsafe class PencilFinder
         }
 
         (double lowX, double highX, double lowY, double highY) = (-F.Largest(leastX), F.Largest(largestX), -F.Largest(leastY), F.Largest(largestY));
-        (pencil.MiddleX, pencil.MiddleY) = (0.5 * (lowX + highX), 0.5 * (lowY + highY));
+        (pencil.MiddleX, pencil.MiddleY) = ((float)(0.5 * (lowX + highX)), (float)(0.5 * (lowY + highY)));
 
-        // Slopes were rounded to float for the bounds.
-        (pencil.SpreadX, pencil.SpreadY) = ((0.5 * (highX - lowX)) + 1.2e-7, (0.5 * (highY - lowY)) + 1.2e-7);
+        // Slopes were rounded to float for the bounds, and the middle was.
+        double rounding = 1.2e-7 * (1 + Math.Abs(pencil.Shear));
+        (pencil.SpreadX, pencil.SpreadY) = ((0.5 * (highX - lowX)) + rounding, (0.5 * (highY - lowY)) + rounding);
         for (int packet = 0; packet < count; packet++)
         {
             PencilLanes<R, F, I>* own = lanes + packet;

@@ -1,6 +1,10 @@
+using System.Runtime.CompilerServices;
+
 namespace LabRaytracer;
 
-/// <summary>Where a group of lanes of a pencil meets a triangle: w lies between <see cref="VolumeLow"/> / <see cref="Sum"/> and <see cref="VolumeHigh"/> / (<see cref="Sum"/> - <see cref="SumError"/>).</summary>
+/// <summary>
+/// Where a group of lanes of a pencil meets a triangle: w lies between <see cref="VolumeLow"/> / <see cref="Sum"/> and <see cref="VolumeHigh"/> / (<see cref="Sum"/> - <see cref="SumError"/>), if that is above 0.
+/// </summary>
 /// <typeparam name="F">Float lanes.</typeparam>
 internal ref struct PencilHits<F>
     where F : unmanaged, IReal<F>
@@ -19,4 +23,8 @@ internal ref struct PencilHits<F>
 
     /// <summary>Bounds of the scalar product of apex to triangle and normal, in every lane.</summary>
     public F VolumeLow, VolumeHigh;
+
+    /// <summary>Mask of possible hits that are not certainly farther than a w.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly F PossibleBefore(F far) => Possible & F.LessOrEqual(VolumeLow, far * Sum);
 }

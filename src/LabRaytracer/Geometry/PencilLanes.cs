@@ -27,7 +27,7 @@ internal struct PencilLanes<R, F, I>
     /// <summary>No hit with a larger w matters; below 0 for lanes that are off.</summary>
     public F Far;
 
-    /// <summary>Shadow rays: every hit with a smaller w lies between lamp and surface.</summary>
+    /// <summary>Shadow rays: every hit with a smaller w lies between lamp and surface. Other rays: every hit with a smaller w is nearer than what was found.</summary>
     public F Between;
 
     /// <summary>Shadow rays: the triangle that the ray leaves, or -1. Other rays: place of the triangle that is certainly hit, and nearer than anything else so far, or -1.</summary>

@@ -58,7 +58,7 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     public void Visit(int first, int number, float* box, ref float limit)
     {
         bool isLowered = false;
-        uint left = PencilTriangles.Prepare(_pencil, triangles + first, number, positions, columns);
+        uint left = PencilTriangles.Prepare<R, P>(_pencil, triangles + first, number, positions, columns);
         for (; left != 0; left &= left - 1)
         {
             int triangle = BitOperations.TrailingZeroCount(left);
@@ -98,7 +98,7 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
         hits.SumError = At(triangle, PencilTriangles.SumError);
         hits.Sum = edge0 + edge1 + edge2;
         F inside = F.Min(F.Min(edge0 - Error(triangle, 0), edge1 - Error(triangle, 1)), edge2 - Error(triangle, 2));
-        hits.Certain = F.Less(F.Zero, inside) & F.Less(hits.SumError * F.Of(PencilTriangles.Certainty), hits.Sum);
+        hits.Certain = F.Less(F.Zero, inside);
         hits.VolumeLow = At(triangle, PencilTriangles.VolumeLow);
         hits.VolumeHigh = At(triangle, PencilTriangles.VolumeHigh);
         return _goal.Take(ref own, packet, hits, place);

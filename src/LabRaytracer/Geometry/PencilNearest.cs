@@ -16,9 +16,6 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
-    /// <summary>Hits this much nearer than known ones are certainly nearer: sum and volume are certain to 1 in <see cref="PencilTriangles.Certainty"/>.</summary>
-    private const double CertainlyNearer = 0.9;
-
     private const double AboveRounding = 1 + 9.5367431640625e-7;
 
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
@@ -32,18 +29,21 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
     public bool Take(ref PencilLanes<R, F, I> lanes, int packet, in PencilHits<F> found, int place)
     {
         F far = lanes.Far;
-        F possible = found.Possible & F.LessOrEqual(found.VolumeLow, far * found.Sum);
+        F possible = found.PossibleBefore(far);
         if (!F.Any(possible))
         {
             return false;
         }
 
-        F end = found.VolumeHigh / (found.Sum - found.SumError);
-        F takes = possible & found.Certain & F.LessOrEqual(end, far * F.Of(CertainlyNearer));
+        F end = found.VolumeHigh / F.Max(found.Sum - found.SumError, F.Zero);
+        F start = found.VolumeLow / found.Sum;
+        F takes = possible & found.Certain & F.Less(end, lanes.Between);
         I takesIndex = F.MaskToInt32(takes);
         lanes.Far = F.Select(takes, end, far);
+        lanes.Between = F.Select(takes, start, lanes.Between);
         lanes.Triangle = I.Select(takesIndex, I.Of(place), lanes.Triangle);
         F open = possible & ~takes;
+
         if (F.Any(open))
         {
             Decide(ref lanes, packet, open, place);
@@ -89,5 +89,5 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
 
     /// <summary>Lowers what matters along z to the exact limits.</summary>
     private static void SetFar(ref PencilLanes<R, F, I> lanes) =>
-        lanes.Far = F.Min(R.ToSingle(lanes.Limit * lanes.Pace) * F.Of(AboveRounding), lanes.Far);
+        lanes.Far = lanes.Between = F.Min(R.ToSingle(lanes.Limit * lanes.Pace) * F.Of(AboveRounding), lanes.Far);
 }

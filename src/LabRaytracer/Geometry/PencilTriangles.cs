@@ -11,6 +11,7 @@ namespace LabRaytracer;
 /// <para>Error bound of an edge function, against the sign that <see cref="WatertightTriangle"/> finds in doubles (u = 2^-24, D the size of the pencil): the evaluation in floats,
 /// less than 8 u (|middle| + span), taken twice; the set-up 2^-47 D^2; the test's own sheared vertices, each wrong by up to 2^-51 D, times how far vertices are beside the rays,
 /// 2^-47 D^2; lines that pass the apex, 32 D times how far. The last three are multiplied by 8, as much as shearing may add, and more.</para>
+/// <para>In float lanes, the evaluation counts four times, as the test's distance has 16 roundings of its own; the rest is in <see cref="PencilErrors"/>.</para>
 /// </remarks>
 internal static unsafe class PencilTriangles
 {
@@ -26,10 +27,7 @@ internal static unsafe class PencilTriangles
     /// <summary>Triangles that are prepared at a time.</summary>
     public const int Most = BvhWide.MostItems;
 
-    /// <summary>Sum of edge functions and volume are certain if they are this many times their error bounds.</summary>
-    public const double Certainty = 32;
-
-    private const double Evaluation = 9.5367431640625e-7;
+    private const double EvaluationDouble = 1.0 / (1 << 20), EvaluationSingle = 1.0 / (1 << 19);
     private const double Rounding = 1.0 / (1 << 20);
 
     /// <summary>Prepares triangles.</summary>
@@ -39,28 +37,54 @@ internal static unsafe class PencilTriangles
     /// <param name="positions">Their vertices.</param>
     /// <param name="columns">Receives <see cref="Numbers"/> columns of four floats.</param>
     /// <returns>Bits of the triangles that some ray may hit.</returns>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public static uint Prepare<P>(in RayPencil pencil, MeshTriangle* triangles, int count, P positions, float* columns)
+    [SkipLocalsInit]
+    public static uint Prepare<R, P>(in RayPencil pencil, MeshTriangle* triangles, int count, P positions, float* columns)
+        where R : unmanaged, IReal<R>
         where P : struct, IMeshPositions
     {
-        MeshTriangle* b = triangles + Math.Min(1, count - 1), c = triangles + Math.Min(2, count - 1), d = triangles + (count - 1);
-        Vertices(pencil, positions, triangles->Element0, b->Element0, c->Element0, d->Element0, out Double4 x0, out Double4 y0, out Double4 z0);
-        Vertices(pencil, positions, triangles->Element1, b->Element1, c->Element1, d->Element1, out Double4 x1, out Double4 y1, out Double4 z1);
-        Vertices(pencil, positions, triangles->Element2, b->Element2, c->Element2, d->Element2, out Double4 x2, out Double4 y2, out Double4 z2);
+        if (!R.IsSingle)
+        {
+            return PrepareDoubles(pencil, triangles, count, positions, columns);
+        }
+
+        // Methods of their own, each small enough for the compiler to inline what it calls.
+        Unsafe.SkipInit(out PencilCorners corners);
+        corners.Load(pencil, triangles, count, positions);
+        return PrepareSingles(pencil, corners, count, columns);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static uint PrepareDoubles<P>(in RayPencil pencil, MeshTriangle* triangles, int count, P positions, float* columns)
+        where P : struct, IMeshPositions
+    {
+        PencilCorners.Load(pencil, triangles, count, positions, out Double4 x0, out Double4 y0, out Double4 z0, out Double4 x1, out Double4 y1, out Double4 z1, out Double4 x2, out Double4 y2, out Double4 z2);
+        return Prepare(pencil, x0, y0, z0, x1, y1, z1, x2, y2, z2, EvaluationDouble, Double4.Of(pencil.Slack), Double4.Of(pencil.Size), count, columns);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static uint PrepareSingles(in RayPencil pencil, in PencilCorners corners, int count, float* columns) => Prepare(
+        pencil, corners.X0, corners.Y0, corners.Z0, corners.X1, corners.Y1, corners.Z1, corners.X2, corners.Y2, corners.Z2, EvaluationSingle, corners.Error, corners.Reach, count, columns);
+
+    /// <summary>Prepares triangles: edge functions are wrong by a part of what they add up and by a slack, the volume by a reach times the sum of their errors.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint Prepare(
+        in RayPencil pencil, Double4 x0, Double4 y0, Double4 z0, Double4 x1, Double4 y1, Double4 z1, Double4 x2, Double4 y2, Double4 z2,
+        double evaluation, Double4 slack, Double4 reach, int count, float* columns)
+    {
         Double4 volume = Lane.Dot(x0, y0, z0, Minor(y1, z2, z1, y2), Minor(z1, x2, x1, z2), Minor(x1, y2, y1, x2));
         Double4 sign = volume & Double4.Of(-0.0), isOutside = default, isOutsideReversed = default, sumError = default;
-        AddEdge(pencil, sign, x1, y1, z1, x2, y2, z2, columns, ref isOutside, ref isOutsideReversed, ref sumError);
-        AddEdge(pencil, sign, x2, y2, z2, x0, y0, z0, columns + (EdgeNumbers * Most), ref isOutside, ref isOutsideReversed, ref sumError);
-        AddEdge(pencil, sign, x0, y0, z0, x1, y1, z1, columns + (2 * EdgeNumbers * Most), ref isOutside, ref isOutsideReversed, ref sumError);
-        Double4 size = Double4.Abs(volume), volumeError = sumError * Double4.Of(pencil.Size), isKnown = Double4.Less(volumeError, size);
+        AddEdge(pencil, sign, x1, y1, z1, x2, y2, z2, evaluation, slack, columns, ref isOutside, ref isOutsideReversed, ref sumError);
+        AddEdge(pencil, sign, x2, y2, z2, x0, y0, z0, evaluation, slack, columns + (EdgeNumbers * Most), ref isOutside, ref isOutsideReversed, ref sumError);
+        AddEdge(pencil, sign, x0, y0, z0, x1, y1, z1, evaluation, slack, columns + (2 * EdgeNumbers * Most), ref isOutside, ref isOutsideReversed, ref sumError);
+        Double4 size = Double4.Abs(volume), volumeError = sumError * reach, isKnown = Double4.Less(volumeError, size);
         uint left = ~Double4.Bits(isOutside & (isKnown | isOutsideReversed)) & ((1u << count) - 1);
         if (left == 0)
         {
             return 0;
         }
 
-        // Triangles near the apex or behind it, and those whose volume is uncertain, are left to the exact test.
-        Double4 isBefore = Double4.Less(Double4.Of(pencil.Size * Rounding), Double4.Min(Double4.Min(z0, z1), z2)) & Double4.Less(volumeError * Double4.Of(Certainty), size);
+        // Triangles near the apex or behind it are left to the exact test.
+        Double4 isBefore = Double4.Less(Double4.Of(pencil.Nearest), Double4.Min(Double4.Min(z0, z1), z2));
         Store(columns, SumError, sumError * Double4.Of(3 * (1 + Rounding)));
         Store(columns, VolumeLow, (size - volumeError) * Double4.Of(1 - Rounding));
         Store(columns, VolumeHigh, Double4.Select(isBefore, (size + volumeError) * Double4.Of(1 + Rounding), Double4.Of(double.PositiveInfinity)));
@@ -90,18 +114,6 @@ internal static unsafe class PencilTriangles
         }
     }
 
-    /// <summary>A vertex of each of four triangles, relative to the apex.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Vertices<P>(in RayPencil pencil, P positions, int a, int b, int c, int d, out Double4 x, out Double4 y, out Double4 z)
-        where P : struct, IMeshPositions
-    {
-        Double4.Turn(positions.Row<Double4>(a), positions.Row<Double4>(b), positions.Row<Double4>(c), positions.Row<Double4>(d), out Double4 first, out Double4 second, out Double4 third);
-        (x, y, z) = pencil.Axis == 2 ? (first, second, third) : pencil.Axis == 1 ? (third, first, second) : (second, third, first);
-        x -= Double4.Of(pencil.ApexX);
-        y -= Double4.Of(pencil.ApexY);
-        z = (z - Double4.Of(pencil.ApexZ)) * Double4.Of(pencil.Sign);
-    }
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Store(float* columns, int column, Double4 numbers) => ((Float4*)columns)[column] = Double4.ToSingle(numbers);
 
@@ -112,14 +124,14 @@ internal static unsafe class PencilTriangles
     /// <summary>Computes and writes one edge function: the scalar product of direction and cross product of two vertices.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void AddEdge(
-        in RayPencil pencil, Double4 sign, Double4 x1, Double4 y1, Double4 z1, Double4 x2, Double4 y2, Double4 z2, float* columns,
+        in RayPencil pencil, Double4 sign, Double4 x1, Double4 y1, Double4 z1, Double4 x2, Double4 y2, Double4 z2, double evaluation, Double4 slack, float* columns,
         ref Double4 isOutside, ref Double4 isOutsideReversed, ref Double4 sumError)
     {
         Double4 y = Minor(z1, x2, x1, z2) ^ sign, z = Minor(x1, y2, y1, x2) ^ sign;
         Double4 x = Double4.Fma(y, Double4.Of(pencil.Shear), Minor(y1, z2, z1, y2) ^ sign);
         Double4 middle = Double4.Fma(x, Double4.Of(pencil.MiddleX), Double4.Fma(y, Double4.Of(pencil.MiddleY), z));
         Double4 span = Double4.Fma(Double4.Abs(x), Double4.Of(pencil.SpreadX), Double4.Abs(y) * Double4.Of(pencil.SpreadY));
-        Double4 error = Double4.Fma(Double4.Abs(middle) + span, Double4.Of(Evaluation), Double4.Of(pencil.Slack));
+        Double4 error = Double4.Fma(Double4.Abs(middle) + span, Double4.Of(evaluation), slack);
         Double4 raised = middle + error;
         isOutside |= Double4.Less(raised + span, Double4.Zero);
         isOutsideReversed |= Double4.Less(span + error, middle);

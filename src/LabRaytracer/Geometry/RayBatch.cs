@@ -101,6 +101,12 @@ internal sealed unsafe class RayBatch<R, F, I>
     public RayLanes<F> LoadSingle(int packet) => new(
         _originX[packet], _originY[packet], _originZ[packet], _directionX[packet], _directionY[packet], _directionZ[packet]);
 
+    /// <summary>The parts of an object that shadow rays of one group of lanes leave, or -1.</summary>
+    /// <param name="packet">Which group.</param>
+    /// <param name="number">Number of the object.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public I SourceIn(int packet, int number) => I.Select(I.Equal(Source[packet], I.Of(number)), SourcePart[packet], I.Of(-1));
+
     /// <summary>Tells that rays have been set: rounded copies are not up to date, and are written by whoever reads them.</summary>
     public void Renew() => Array.Clear(_isNarrow);
 

@@ -31,6 +31,21 @@ internal struct RayPencil
     /// <summary>No coordinate of rays and mesh, from the origin or from the apex, is larger in magnitude; nor the sum of a vertex's three and a ray's three.</summary>
     public double Size;
 
-    /// <summary>Part of the error of an edge function (<see cref="PencilTriangles"/>) that is the same for all triangles.</summary>
+    /// <summary>No ray starts farther from the apex along z; 0 where rays start there.</summary>
+    public double Way;
+
+    /// <summary>No line passes the apex farther away, as the sum of three coordinates.</summary>
+    public double Beside;
+
+    /// <summary>Part of the error of an edge function (<see cref="PencilTriangles"/>) that is the same for all triangles; double lanes only.</summary>
     public double Slack;
+
+    /// <summary>How far beside a line the test may see points, along x and along y.</summary>
+    public double TestError;
+
+    /// <summary>How far a ray's limit along z may differ from the place of its origin.</summary>
+    public double LimitError;
+
+    /// <summary>What is nearer to the apex along z, or behind it, is not certain to be hit.</summary>
+    public double Nearest;
 }

@@ -32,8 +32,8 @@ internal readonly struct WatertightRay<R>
     public WatertightRay(in RayLanes<R> ray, in R active)
     {
         R x = R.Abs(ray.DirectionX), y = R.Abs(ray.DirectionY), z = R.Abs(ray.DirectionZ);
-        AlongX = R.Less(y, x) & R.Less(z, x);
-        AlongY = R.Less(z, y) & ~AlongX;
+        AlongX = IsAlong(0, x, y, z);
+        AlongY = IsAlong(1, x, y, z);
         SharedAxis = FindSharedAxis(R.Bits(AlongX & active), R.Bits(AlongY & active), R.Bits(active));
         if (SharedAxis >= 0)
         {
@@ -60,6 +60,18 @@ internal readonly struct WatertightRay<R>
         R.Select(AlongX, y, R.Select(AlongY, z, x)),
         R.Select(AlongX, z, R.Select(AlongY, x, y)),
         R.Select(AlongX, x, R.Select(AlongY, y, z)));
+
+    /// <summary>Mask: which directions are largest along an axis (0, 1, 2); of equal components, the one of the later axis.</summary>
+    /// <param name="axis">The axis.</param>
+    /// <param name="x">Magnitudes of the directions.</param>
+    /// <param name="y">The same along y.</param>
+    /// <param name="z">The same along z.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R IsAlong(int axis, R x, R y, R z)
+    {
+        R alongX = R.Less(y, x) & R.Less(z, x), alongY = R.Less(z, y) & ~alongX;
+        return axis == 0 ? alongX : axis == 1 ? alongY : ~(alongX | alongY);
+    }
 
     private static int FindSharedAxis(uint alongX, uint alongY, uint active) =>
         alongX == active ? 0

@@ -45,21 +45,23 @@ internal sealed unsafe class MeshHits<R, F, I> : IDisposable
     /// <summary>Which rays the tree blocks.</summary>
     public static bool[] Blocked(TriangleMesh mesh, Ray[] rays, double limit) => Blocked(mesh, rays, [.. rays.Select(_ => limit)]);
 
-    /// <summary>Which rays the tree blocks, each before a limit of its own; not above 0 for a ray that is off.</summary>
-    public static bool[] Blocked(TriangleMesh mesh, Ray[] rays, double[] limits)
+    /// <summary>Which rays the tree blocks, each before a limit of its own; not above 0 for a ray that is off. A ray may leave a triangle.</summary>
+    public static bool[] Blocked(TriangleMesh mesh, Ray[] rays, double[] limits, int[]? sources = null)
     {
         using MeshHits<R, F, I> run = new(rays);
         for (int i = 0; i < rays.Length; i++)
         {
             R.Put(run.Rays.Limit, i, limits[i]);
+            ((int*)run.Rays.Source)[i] = sources == null ? -1 : 0;
+            ((int*)run.Rays.SourcePart)[i] = sources == null ? -1 : sources[i];
         }
 
         Group(mesh, 1, run._memory, Transform.Identity).Block(0, run.Rays, 0, run.Rays.Packets);
         return [.. Enumerable.Range(0, rays.Length).Select(i => limits[i] > 0 && R.Take(run.Rays.Limit, i) < 0)];
     }
 
-    /// <summary>Finds the nearest hits by testing every triangle.</summary>
-    public static MeshHit[] ByLoop(TriangleMesh mesh, Ray[] rays, double limit = double.PositiveInfinity)
+    /// <summary>Finds the nearest hits by testing every triangle, but the one that a ray may leave.</summary>
+    public static MeshHit[] ByLoop(TriangleMesh mesh, Ray[] rays, double limit = double.PositiveInfinity, int[]? sources = null)
     {
         using MeshHits<R, F, I> run = new(rays, limit);
         for (int packet = 0; packet < run.Rays.Packets; packet++)
@@ -71,7 +73,7 @@ internal sealed unsafe class MeshHits<R, F, I> : IDisposable
                 (R x1, R y1, R z1) = Corner(mesh, triangle, 1);
                 (R x2, R y2, R z2) = Corner(mesh, triangle, 2);
                 R mask = WatertightTriangle.Intersect(ray, x0, y0, z0, x1, y1, z1, x2, y2, z2, out R t, out R a, out R b);
-                run.KeepNearer(packet, mask, t, a, b, triangle);
+                run.KeepNearer(packet, mask, t, a, b, triangle, sources);
             }
         }
 
@@ -94,12 +96,12 @@ internal sealed unsafe class MeshHits<R, F, I> : IDisposable
         return (R.Of(p.X), R.Of(p.Y), R.Of(p.Z));
     }
 
-    private void KeepNearer(int packet, R mask, R t, R a, R b, int triangle)
+    private void KeepNearer(int packet, R mask, R t, R a, R b, int triangle, int[]? sources)
     {
         for (int lane = 0; lane < R.Width; lane++)
         {
             int ray = (packet * R.Width) + lane;
-            if (((R.Bits(mask) >> lane) & 1) != 0 && R.Get(t, lane) < R.Take(Hits.T, ray))
+            if (((R.Bits(mask) >> lane) & 1) != 0 && (sources == null || sources[Math.Min(ray, sources.Length - 1)] != triangle) && R.Get(t, lane) < R.Take(Hits.T, ray))
             {
                 R.Put(Hits.T, ray, R.Get(t, lane));
                 R.Put(Hits.A, ray, R.Get(a, lane));

@@ -90,32 +90,46 @@ public class MeshPencilTests
         AssertBlocked(soup, targets, apex);
     }
 
-    [Fact]
-    public void Block_SourceTriangle_DoesNotBlockItsOwnRays()
+    [Theory]
+    [InlineData(5)]
+    [InlineData(0)]
+    public void Block_SourceTriangle_DoesNotBlockItsOwnRays(double height)
     {
+        // In the middle of the ball, rays come from all sides and are no pencil.
+        // Points on triangles, rounded: many are on the lamp's far side of their own.
         TriangleMesh ball = Ball(1, 0, out Point3D[] vertices, out int[] corners);
-        Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(0, 0, 5), Point3D.Origin, 40) };
-        scene.Add(ball, new Material());
-        scene.Lights.Add(new PointLight(new Point3D(2, 3, 6), Intensity.White));
-        Picture inDoubles = Rendered(scene, Precision.Double), inFloats = Rendered(scene, Precision.Single);
+        Point3D lamp = new(0.2, -0.1, height);
+        Random random = new(29);
+        int[] sources = [.. Enumerable.Range(0, 1600).Select(_ => random.Next(ball.TriangleCount))];
+        Point3D[] origins = [.. sources.Select(triangle => ball.Data.Position(triangle, 0)
+            + ((ball.Data.Position(triangle, 1) - ball.Data.Position(triangle, 0)) * 0.4) + ((ball.Data.Position(triangle, 2) - ball.Data.Position(triangle, 0)) * 0.3))];
+        Ray[] rays = [.. origins.Select(origin => new Ray(origin, (lamp - origin).Normalized()))];
+        double[] limits = [.. origins.Select(origin => (lamp - origin).Length)];
+        Assert.NotEqual(Blocked<Double1, Float1, Int1>(ball, rays, limits, null), Blocked<Double1, Float1, Int1>(ball, rays, limits, sources));
+        AssertBlocked(ball, rays, limits, sources);
+    }
 
-        // Floats do not go this way; a triangle in its own shadow would be black in one of both.
-        int differing = 0;
-        for (int y = 0; y < 64; y++)
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public unsafe void Find_FloatLanes_ArePencils(bool endsAtApex)
+    {
+        // Else the search for rays of any kind would answer instead, and nothing here would be tested.
+        TriangleMesh ball = Ball(1, 0, out Point3D[] vertices, out _);
+        Point3D apex = new(0.4, -1.3, 5);
+        Ray[] rays = [.. vertices.Take(Together).Select(vertex => endsAtApex ? new Ray(vertex, (apex - vertex).Normalized()) : new Ray(apex, (vertex - apex).Normalized()))];
+        using MeshHits<Float16, Float16, Int16> run = new(rays);
+        PencilLanes<Float16, Float16, Int16> lanes = new() { Ray = run.Rays.Load(0) };
+        for (int i = 0; i < Together; i++)
         {
-            for (int x = 0; x < 64; x++)
-            {
-                differing += Math.Abs(inDoubles[x, y].G - inFloats[x, y].G) > 0.05f ? 1 : 0;
-            }
+            Lane.Put(&lanes.Limit, i, endsAtApex ? (apex - vertices[i]).Length : double.PositiveInfinity);
         }
 
-        Assert.InRange(differing, 0, 4);
+        Assert.True(PencilFinder.Find(&lanes, 1, ball.Tree(1).Frame, endsAtApex, out RayPencil pencil));
+        Assert.Equal((2, -1.0), (pencil.Axis, pencil.Sign));
     }
 
     private static Vector3D Turned(int axis, double x, double y, double z) => axis == 0 ? new(x, y, z) : axis == 1 ? new(z, x, y) : new(y, z, x);
-
-    private static Picture Rendered(Scene scene, Precision precision) =>
-        Renderer.Render(scene, new RenderOptions { Width = 64, Height = 64, Threads = 1, Precision = precision }).Picture;
 
     private static Point3D Middle(double scale, double offset) => new(offset * scale, -0.5 * offset * scale, 0.25 * offset * scale);
 
@@ -162,25 +176,51 @@ public class MeshPencilTests
     {
         MeshHit[] expected = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays);
         Assert.Contains(expected, hit => hit.T > 0);
-        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.ByTree(mesh, rays));
-        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.ByTree(mesh, rays));
-        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.ByTree(mesh, rays));
+        AssertNearest<Double16, Float16, Int16>(expected, mesh, rays);
+        AssertNearest<Double8, Float8, Int8>(expected, mesh, rays);
+        AssertNearest<Double4, Float4, Int4>(expected, mesh, rays);
+
+        MeshHit[] inFloats = MeshHits<Float1, Float1, Int1>.ByLoop(mesh, rays);
+        AssertNearest<Float16, Float16, Int16>(inFloats, mesh, rays);
+        AssertNearest<Float8, Float8, Int8>(inFloats, mesh, rays);
+        AssertNearest<Float4, Float4, Int4>(inFloats, mesh, rays);
 
         // A limit among the hits.
         double limit = expected.Where(hit => hit.T > 0).Select(hit => hit.T).Order().ElementAt(expected.Count(hit => hit.T > 0) / 2);
-        MeshHit[] near = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays, limit);
-        Assert.Equal(near, MeshHits<Double8, Float8, Int8>.ByTree(mesh, rays, limit));
+        AssertNearest<Double8, Float8, Int8>(MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays, limit), mesh, rays, limit);
+        AssertNearest<Float8, Float8, Int8>(MeshHits<Float1, Float1, Int1>.ByLoop(mesh, rays, limit), mesh, rays, limit);
     }
+
+    private static void AssertNearest<R, F, I>(MeshHit[] expected, TriangleMesh mesh, Ray[] rays, double limit = double.PositiveInfinity)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> => Assert.Equal(expected, MeshHits<R, F, I>.ByTree(mesh, rays, limit));
 
     private static void AssertBlocked(TriangleMesh mesh, Point3D[] origins, Point3D lamp)
     {
         Ray[] rays = [.. origins.Select(origin => new Ray(origin, (lamp - origin).Normalized()))];
         double[] limits = [.. origins.Select((origin, i) => i % 5 == 4 ? -1 : (lamp - origin).Length)];
-        MeshHit[] hits = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays);
-        bool[] expected = [.. hits.Select((hit, i) => hit.T > 0 && hit.T < limits[i])];
-        Assert.Contains(true, expected);
-        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.Blocked(mesh, rays, limits));
-        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.Blocked(mesh, rays, limits));
-        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.Blocked(mesh, rays, limits));
+        Assert.Contains(true, Blocked<Double1, Float1, Int1>(mesh, rays, limits, null));
+        AssertBlocked(mesh, rays, limits, null);
     }
+
+    private static void AssertBlocked(TriangleMesh mesh, Ray[] rays, double[] limits, int[]? sources)
+    {
+        bool[] expected = Blocked<Double1, Float1, Int1>(mesh, rays, limits, sources);
+        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.Blocked(mesh, rays, limits, sources));
+        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.Blocked(mesh, rays, limits, sources));
+        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.Blocked(mesh, rays, limits, sources));
+
+        bool[] inFloats = Blocked<Float1, Float1, Int1>(mesh, rays, [.. limits.Select(limit => (double)(float)limit)], sources);
+        Assert.Equal(inFloats, MeshHits<Float16, Float16, Int16>.Blocked(mesh, rays, limits, sources));
+        Assert.Equal(inFloats, MeshHits<Float8, Float8, Int8>.Blocked(mesh, rays, limits, sources));
+        Assert.Equal(inFloats, MeshHits<Float4, Float4, Int4>.Blocked(mesh, rays, limits, sources));
+    }
+
+    /// <summary>Which rays any triangle blocks but the one that they leave.</summary>
+    private static bool[] Blocked<R, F, I>(TriangleMesh mesh, Ray[] rays, double[] limits, int[]? sources)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I> =>
+        [.. MeshHits<R, F, I>.ByLoop(mesh, rays, sources: sources).Select((hit, i) => hit.T > 0 && hit.T < limits[i])];
 }

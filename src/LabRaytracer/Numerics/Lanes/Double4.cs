@@ -128,6 +128,9 @@ internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float
     public static unsafe Double4 Load(double* numbers) => new(Vector256.Load(numbers));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Double4 LoadRounded(double* numbers) => FromSingle(Float4.Load(numbers));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Double4 Load(float* numbers) => FromSingle(Float4.Load(numbers));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

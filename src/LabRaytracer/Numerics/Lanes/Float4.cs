@@ -144,6 +144,9 @@ internal readonly struct Float4(Vector128<float> value) : ILane<Float4, Float4, 
     public static unsafe Float4 Load(double* numbers) => Double4.ToSingle(Double4.Load(numbers));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Float4 LoadRounded(double* numbers) => Load(numbers);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Float4 Load(float* numbers) => new(Vector128.Load(numbers));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

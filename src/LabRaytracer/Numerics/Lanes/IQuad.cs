@@ -8,6 +8,9 @@ internal interface IQuad<T> : IReal<T>
     /// <summary>Four consecutive doubles, rounded to the lanes' precision.</summary>
     static abstract unsafe T Load(double* numbers);
 
+    /// <summary>Four consecutive doubles, rounded to float.</summary>
+    static abstract unsafe T LoadRounded(double* numbers);
+
     /// <summary>Four consecutive floats.</summary>
     static abstract unsafe T Load(float* numbers);
 
