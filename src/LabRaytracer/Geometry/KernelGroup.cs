@@ -222,6 +222,8 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     public override void Differentiate(
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
     {
+        LinearLanes<F> frame = default;
+        int known = -1;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
@@ -230,12 +232,22 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             if (_numberOfMember.Count == 1 || I.AllEqual(number, one))
             {
                 int member = _numberOfMember.Count == 1 ? 0 : memberOfObject[one];
-                KernelSteps<K, R, F, I>.Run(new SharedParameters<R, F, I>(_numbers, member * K.ParameterCount), packet, surfaces, steps, needs);
+                SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
+                if (member != known)
+                {
+                    KernelSteps<K, R, F, I>.Frame(shape, out frame);
+                    known = member;
+                }
+
+                KernelSteps<K, R, F, I>.Run(shape, frame, packet, surfaces, steps, needs);
             }
             else
             {
                 I first = I.Gather(memberOfObject, number) * I.Of(K.ParameterCount);
-                KernelSteps<K, R, F, I>.Run(new GatheredParameters<R, F, I>(_numbers, first), packet, surfaces, steps, needs);
+                GatheredParameters<R, F, I> shapes = new(_numbers, first);
+                KernelSteps<K, R, F, I>.Frame(shapes, out frame);
+                known = -1;
+                KernelSteps<K, R, F, I>.Run(shapes, frame, packet, surfaces, steps, needs);
             }
         }
     }

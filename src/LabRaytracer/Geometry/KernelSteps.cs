@@ -9,20 +9,36 @@ internal static unsafe class KernelSteps<K, R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
+    /// <summary>World space to local space of shapes, in floats: steps are floats.</summary>
+    /// <param name="shape">The shapes' numbers.</param>
+    /// <param name="frame">The map.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void Frame<P>(in P shape, out LinearLanes<F> frame)
+        where P : struct, IParameters<R>
+    {
+        K.LocalFrame(shape, out LinearLanes<R> own);
+        frame = new LinearLanes<F>
+        {
+            XX = R.ToSingle(own.XX), XY = R.ToSingle(own.XY), XZ = R.ToSingle(own.XZ),
+            YX = R.ToSingle(own.YX), YY = R.ToSingle(own.YY), YZ = R.ToSingle(own.YZ),
+            ZX = R.ToSingle(own.ZX), ZY = R.ToSingle(own.ZY), ZZ = R.ToSingle(own.ZZ),
+        };
+    }
+
     /// <summary>Differentiates one group of lanes.</summary>
     /// <param name="shape">The shapes' numbers.</param>
+    /// <param name="toLocal">Their <see cref="Frame"/>.</param>
     /// <param name="packet">Group of lanes.</param>
     /// <param name="surfaces">The hits, normals already turned to the viewer.</param>
     /// <param name="steps">Steps in world space; receives what changes over them.</param>
     /// <param name="needs">What somebody reads.</param>
-    public static void Run<P>(in P shape, int packet, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
+    public static void Run<P>(in P shape, in LinearLanes<F> toLocal, int packet, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
         where P : struct, IParameters<R>
     {
-        K.LocalFrame(shape, out LinearLanes<R> frame);
-        ToLocal(frame, packet, steps.WorldDx, steps.LocalDx);
-        ToLocal(frame, packet, steps.WorldDy, steps.LocalDy);
+        ToLocal(toLocal, packet, steps.WorldDx, steps.LocalDx, steps.WorldDy, steps.LocalDy);
         if ((needs & StepNeeds.Normal) != 0)
         {
+            K.LocalFrame(shape, out LinearLanes<R> frame);
             Bend(shape, frame, packet, surfaces, steps.LocalDx, steps.NormalDx);
             Bend(shape, frame, packet, surfaces, steps.LocalDy, steps.NormalDy);
         }
@@ -37,10 +53,13 @@ internal static unsafe class KernelSteps<K, R, F, I>
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void ToLocal(in LinearLanes<R> frame, int packet, in VectorColumns<F> world, in VectorColumns<F> local)
+    private static void ToLocal(
+        in LinearLanes<F> frame, int packet, in VectorColumns<F> worldDx, in VectorColumns<F> localDx, in VectorColumns<F> worldDy, in VectorColumns<F> localDy)
     {
-        (R x, R y, R z) = frame.Apply(R.FromSingle(world.X[packet]), R.FromSingle(world.Y[packet]), R.FromSingle(world.Z[packet]));
-        local.Store(packet, R.ToSingle(x), R.ToSingle(y), R.ToSingle(z));
+        (F x, F y, F z) = frame.Apply(worldDx.X[packet], worldDx.Y[packet], worldDx.Z[packet]);
+        localDx.Store(packet, x, y, z);
+        (x, y, z) = frame.Apply(worldDy.X[packet], worldDy.Y[packet], worldDy.Z[packet]);
+        localDy.Store(packet, x, y, z);
     }
 
     private static void Bend<P>(in P shape, in LinearLanes<R> frame, int packet, SurfaceBatch<R, F, I> surfaces, in VectorColumns<F> local, in VectorColumns<F> result)
