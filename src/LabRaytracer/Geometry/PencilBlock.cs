@@ -39,7 +39,6 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
 
         F blocked = possible & found.Certain & F.LessOrEqual(found.VolumeHigh, lanes.Between * (found.Sum - found.SumError));
         F open = possible & ~blocked;
-
         if (F.Any(open))
         {
             Decide(ref lanes, open, place, ref blocked);

@@ -9,19 +9,11 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     /// <param name="u">Receives u where an object is seen.</param>
     public void Probe(RayBatch<R, F, I> rays, int[] objects, double[] u)
     {
-        _scene.Nearest(rays, _hits);
-        _scene.AlphaSurfaces?.Nearest(rays, _hits, 0, rays.Packets);
-        _groups.Sort(rays, _hits);
+        Find(rays);
         new ReadOnlySpan<int>((int*)_hits.Object, rays.Count).CopyTo(objects);
         for (int key = 0; key < _scene.Keys.Count; key++)
         {
-            int count = _groups.Count[key];
-            int* order = _groups.Order + _groups.Start[key];
-            if (count > 0)
-            {
-                _scene.Keys[key].Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, ViewStage.MappingNeeds);
-            }
-
+            int* order = Surface(rays, key, ViewStage.MappingNeeds, out int count);
             for (int i = 0; i < count; i++)
             {
                 u[order[i]] = ViewStage.Map(_scene.Keys[key].Material.DefaultMapping, _buffers.Surfaces, i).U;
@@ -37,19 +29,10 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     /// <param name="first">Number of the corner that the first ray looks at.</param>
     public void Look(RayBatch<R, F, I> rays, EdgeMarks edges, int first)
     {
-        _scene.Nearest(rays, _hits);
-        _scene.AlphaSurfaces?.Nearest(rays, _hits, 0, rays.Packets);
-        Counters.Charge(RenderStage.Intersect);
-        _groups.Sort(rays, _hits);
+        Find(rays);
         for (int key = 0; key < _scene.Keys.Count; key++)
         {
-            int count = _groups.Count[key];
-            int* order = _groups.Order + _groups.Start[key];
-            if (count > 0)
-            {
-                _scene.Keys[key].Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, SurfaceNeeds.None);
-            }
-
+            int* order = Surface(rays, key, SurfaceNeeds.None, out int count);
             SurfaceBatch<R, F, I> s = _buffers.Surfaces;
             for (int i = 0; i < count; i++)
             {
@@ -65,5 +48,28 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         }
 
         Counters.Charge(RenderStage.Surface);
+    }
+
+    /// <summary>Nearest hits, also on surfaces with an opacity, in groups.</summary>
+    private void Find(RayBatch<R, F, I> rays)
+    {
+        _scene.Nearest(rays, _hits);
+        _scene.AlphaSurfaces?.Nearest(rays, _hits, 0, rays.Packets);
+        Counters.Charge(RenderStage.Intersect);
+        _groups.Sort(rays, _hits);
+    }
+
+    /// <summary>Surface points of one group.</summary>
+    /// <returns>Numbers of its rays.</returns>
+    private int* Surface(RayBatch<R, F, I> rays, int key, SurfaceNeeds needs, out int count)
+    {
+        int* order = _groups.Order + _groups.Start[key];
+        count = _groups.Count[key];
+        if (count > 0)
+        {
+            _scene.Keys[key].Group.Surface(rays, _hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, needs);
+        }
+
+        return order;
     }
 }

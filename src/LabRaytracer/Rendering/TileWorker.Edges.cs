@@ -17,7 +17,8 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         for (int i = 0; i < Pixels; i++)
         {
             (int px, int py) = Place(i);
-            for (int sample = 0; px < width && py < height && edges.IsEdge(px, py) && sample < samples; sample++)
+            bool isEdge = px < width && py < height && edges.IsEdge(px, py);
+            for (int sample = 0; isEdge && sample < samples; sample++)
             {
                 AddSlot(run, new PixelSlot(px, py, sample));
             }
@@ -27,7 +28,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         for (int i = 0; i < Pixels; i++)
         {
             (int px, int py) = Place(i);
-            if (px < width && py < height && edges.IsEdge(px, py))
+            if (px < width && py < height && sums.Count(px, py) > 0)
             {
                 _colors.SetSum(i, sums.Mean(px, py));
                 Counters.PrimaryRays += samples;

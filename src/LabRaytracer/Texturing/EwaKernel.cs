@@ -16,6 +16,12 @@ internal readonly unsafe struct EwaKernel(float* numbers, int width)
     /// <summary>How many groups of numbers <see cref="Store"/> writes for a group of lookups.</summary>
     public const int Numbers = 13;
 
+    /// <summary>Which of them is <see cref="ReachX"/>.</summary>
+    public const int ReachXNumber = 7;
+
+    /// <summary>Which of them is <see cref="ReachY"/>.</summary>
+    public const int ReachYNumber = 8;
+
     /// <summary>Components of grad s below this one, in 1/texels, do not bound a row: the other sides do.</summary>
     private const double LeastGradient = 1.0 / 4096;
 
@@ -44,10 +50,10 @@ internal readonly unsafe struct EwaKernel(float* numbers, int width)
     public float Skew => numbers[6 * width];
 
     /// <summary>Half the extent along rows, texels.</summary>
-    public float ReachX => numbers[7 * width];
+    public float ReachX => numbers[ReachXNumber * width];
 
     /// <summary>Half the extent across the rows, texels.</summary>
-    public float ReachY => numbers[8 * width];
+    public float ReachY => numbers[ReachYNumber * width];
 
     /// <summary>Where pairs of rows cross the narrower of both strips: the middle moves by this much a row.</summary>
     public float Slant => numbers[9 * width];
@@ -88,8 +94,8 @@ internal readonly unsafe struct EwaKernel(float* numbers, int width)
         numbers[4] = ty * slopeT;
         numbers[5] = endT * slopeT;
         numbers[6] = F.Min(excess, one) * F.Select(F.Less(cosine, F.Zero), -one, one);
-        numbers[7] = F.Fma(endS, F.Abs(ax), endT * F.Abs(bx));
-        numbers[8] = F.Fma(endS, F.Abs(ay), endT * F.Abs(by));
+        numbers[ReachXNumber] = F.Fma(endS, F.Abs(ax), endT * F.Abs(bx));
+        numbers[ReachYNumber] = F.Fma(endS, F.Abs(ay), endT * F.Abs(by));
         (F slantS, F reachS) = Bound(sx, sy, endS);
         (F slantT, F reachT) = Bound(tx, ty, endT);
         F isS = F.Less(reachS, reachT);

@@ -67,7 +67,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         I column = R.ToInt32(left), row = R.ToInt32(below);
         int* places = stackalloc int[EwaPlace.Numbers * F.Width];
         EwaPlace.Store(Pyramid, number, column, row, places);
-        F isInner = F.MaskFromInt32(EwaPlace.IsInside(column, width, F.ToInt32(kernels[7])) & EwaPlace.IsInside(row, height, F.ToInt32(kernels[8])));
+        F isInner = F.MaskFromInt32(EwaPlace.IsInside(column, width, F.ToInt32(kernels[EwaKernel.ReachXNumber])) & EwaPlace.IsInside(row, height, F.ToInt32(kernels[EwaKernel.ReachYNumber])));
         isInner = Pyramid.HasPicture ? isInner : isInner & F.LessOrEqual(F.Of(1), level);
         Float4* means = stackalloc Float4[Math.Max(F.Width, 4)];
         uint inner = F.Bits(isInner);
@@ -182,7 +182,7 @@ internal sealed unsafe class EwaSampler<TReader>(
             {
                 float x = starts[i], rowS = starts[i + (2 * Float8.Width)], rowT = starts[i + (3 * Float8.Width)];
                 blocks.Row(float.ConvertToIntegerNative<int>(starts[i + Float8.Width]));
-                for (int left4 = counts[i]; left4 > 0; left4--)
+                for (int count = counts[i]; count > 0; count--)
                 {
                     blocks.Read(float.ConvertToIntegerNative<int>(x), out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
                     Float8 s = blockS + Float8.Of(MathF.FusedMultiplyAdd(sx, x, rowS)), t = blockT + Float8.Of(MathF.FusedMultiplyAdd(tx, x, rowT));

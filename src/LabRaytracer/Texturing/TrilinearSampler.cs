@@ -23,13 +23,7 @@ internal sealed unsafe class TrilinearSampler<TReader>(
             highest = F.Max(levels[packet], highest);
         }
 
-        double top = 0;
-        for (int lane = 0; lane < F.Width; lane++)
-        {
-            top = Math.Max(top, F.Get(highest, lane));
-        }
-
-        Pyramid.Require(Math.Min((int)top + 1, Pyramid.LevelCount - 1), Threads);
+        Pyramid.Require(Math.Min((int)F.Largest(highest) + 1, Pyramid.LevelCount - 1), Threads);
         Enlarge<R, F, I>(lookups, colors, levels, 1, packets);
         for (int packet = 0; packet < packets; packet++)
         {

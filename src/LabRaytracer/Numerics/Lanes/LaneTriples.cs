@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics.X86;
 
 namespace LabRaytracer;
 
-/// <summary>Three columns of floats, written as triples one after the other.</summary>
+/// <summary>Three columns of floats, written as triples one after the other, or made of rows.</summary>
 internal static unsafe class LaneTriples
 {
     /// <summary>Rows of four numbers become columns of their first three.</summary>
@@ -13,7 +13,6 @@ internal static unsafe class LaneTriples
     /// <param name="y">The second numbers.</param>
     /// <param name="z">The third numbers.</param>
     [SkipLocalsInit]
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Turn<F>(Float4* rows, out F x, out F y, out F z)
         where F : unmanaged, IReal<F>
     {
