@@ -34,12 +34,13 @@ internal sealed unsafe class AlphaCamera<R, F, I>
     /// <summary>What a worker needs for a scene; null if no object has an opacity.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="isShaded">False where surfaces are shown or not: an opacity of 1/2 and more counts as 1, less as 0.</param>
+    /// <param name="hasDifferentials">Whether the rays carry differentials.</param>
     /// <param name="counters">Counts lookups.</param>
     /// <param name="memory">Owns the columns.</param>
     /// <param name="capacity">Most rays of a batch.</param>
-    public static AlphaCamera<R, F, I>? Of(CompiledScene<R, F, I> scene, bool isShaded, WorkerCounters counters, LaneMemory memory, int capacity) =>
+    public static AlphaCamera<R, F, I>? Of(CompiledScene<R, F, I> scene, bool isShaded, bool hasDifferentials, WorkerCounters counters, LaneMemory memory, int capacity) =>
         scene.AlphaSurfaces is { } surfaces
-            ? new AlphaCamera<R, F, I>(new AlphaLayers<R, F, I>(scene, surfaces, counters, memory, capacity, scene.NeedsDifferentials), isShaded, memory, capacity)
+            ? new AlphaCamera<R, F, I>(new AlphaLayers<R, F, I>(scene, surfaces, counters, memory, capacity, hasDifferentials), isShaded, memory, capacity)
             : null;
 
     /// <summary>Starts with the rays of a batch and their nearest opaque hits.</summary>

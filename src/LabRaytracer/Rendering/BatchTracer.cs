@@ -51,7 +51,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         LampSampler<R, F, I> lamps = new(scene, _buffers, places, skies);
         _relief = ReliefStage<R, F, I>.Of(scene, _buffers, memory, capacity);
         _sides = scene.Keys.Any(key => key.Material.Inside is not null) ? new SideSplit<R, F, I>(memory, capacity) : null;
-        _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), counters, memory, capacity);
+        _alpha = AlphaCamera<R, F, I>.Of(scene, ViewStage.IsShaded(options.View), HasDifferentials, counters, memory, capacity);
         _lights = new LightStage<R, F, I>(scene, _buffers, lamps, counters, Tally, AlphaShadows<R, F, I>.Of(scene, counters, memory, capacity));
     }
 

@@ -40,6 +40,29 @@ public sealed class ViewTests
         static float Farthest(Intensity a, Intensity b) => Math.Min(Math.Abs(a.R - b.R), Math.Min(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
     }
 
+    /// <summary>Views take a surface with an opacity of a half and more for an opaque one, whether or not the scene's own textures are filtered.</summary>
+    [Theory]
+    [InlineData(RenderView.Uv)]
+    [InlineData(RenderView.Normal)]
+    [InlineData(RenderView.Depth)]
+    [InlineData(RenderView.Texel)]
+    [InlineData(RenderView.Seam)]
+    [InlineData(RenderView.Mip)]
+    [InlineData(RenderView.Stretch)]
+    [InlineData(RenderView.Density)]
+    public void View_SurfaceWithAnOpacity_IsSeenAsAnOpaqueOne(RenderView view)
+    {
+        foreach (TextureFilter filter in new[] { TextureFilter.Bilinear, TextureFilter.Trilinear })
+        {
+            Texture texture = TestScenes.Random(64, 32).With(SamplingOptions.Default.With(filter));
+            Intensity[] Show(ScalarSlot opacity) => Renderer.Render(
+                TestScenes.QuadFromAbove(new Material { Diffuse = texture, Opacity = opacity }), new RenderOptions { Width = 24, Height = 16, View = view }).Picture.Pixels.ToArray();
+            Intensity[] opaque = Show(1);
+            Assert.Equal(opaque, Show(0.75f));
+            Assert.Equal(opaque, Show(new ScalarSlot { Value = 1, Texture = new ConstantTexture(Intensity.Grey(0.75f)) }));
+        }
+    }
+
     [Fact]
     public void Texel_WithoutPicture_IsGrey()
     {
