@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>Smaller and smaller versions of a picture in linear light, each half as large as the one before (Williams, "Pyramidal parametrics", 1983).</summary>
 /// <remarks>
 /// <para>Level 0 is the picture itself and stays packed; of a small one there is an unpacked copy too, once somebody asks for it. Level k + 1 is made of level k by <see cref="MipReduction"/>, the first time that somebody asks for it;
-/// a level has the same bits whoever builds it. 16 bytes a texel, a third of the picture's texels in all; memory of levels that nobody asks for is not touched.</para>
+/// a level has the same bits whoever builds it. 16 bytes a texel, a third of the picture's texels in all; each row ends with its first texel once more, for those who read two at a time where the picture repeats; memory of levels that nobody asks for is not touched.</para>
 /// <para>Thread safe.</para>
 /// </remarks>
 internal sealed unsafe class MipPyramid
@@ -117,10 +117,10 @@ internal sealed unsafe class MipPyramid
     }
 
     /// <summary>
-    /// Texels of a row and, where rows are long, some that nobody reads: an odd number of lines of the cache. Rows at distances of powers of two compete for the same few
+    /// Texels of a row, its first one again, and, where rows are long, some that nobody reads: an odd number of lines of the cache. Rows at distances of powers of two compete for the same few
     /// places in it, and footprints that reach over many rows then wait for the memory at each of them.
     /// </summary>
-    private static int Stride(int width) => width < LongRow ? width : (((width + LineTexels - 1) / LineTexels) | 1) * LineTexels;
+    private static int Stride(int width) => width < LongRow ? width + 1 : (((width / LineTexels) + 1) | 1) * LineTexels;
 
     /// <summary>Unpacks the picture, which must be small enough.</summary>
     public void RequirePicture()
@@ -155,6 +155,18 @@ internal sealed unsafe class MipPyramid
                 (texel[0], texel[1], texel[2], texel[3]) = (row[x], row[width + x], row[(2 * width) + x], 1);
                 texel += Channels;
             }
+
+            Close(0, y, y + 1);
+        }
+    }
+
+    /// <summary>Writes the first texel of some rows behind the last one: what lies there where the picture repeats, and nothing at all elsewhere.</summary>
+    private void Close(int level, int first, int end)
+    {
+        for (int y = first; y < end; y++)
+        {
+            float* row = Texels + (Channels * (Starts[level] + ((long)y * Strides[level])));
+            new ReadOnlySpan<float>(row, Channels).CopyTo(new Span<float>(row + (Channels * Widths[level]), Channels));
         }
     }
 
@@ -172,8 +184,13 @@ internal sealed unsafe class MipPyramid
         float* texels = Texels + (Channels * (long)Starts[level]);
         bool isLarge = threads > 1 && (long)Widths[level] * height >= ParallelTexels;
         int parts = isLarge ? Math.Min(height, 8 * threads) : 1;
-        void Part(int part) => MipReduction.Run(
-            source, (int)((long)height * part / parts), (int)((long)height * (part + 1) / parts), Channels * Strides[level], texels);
+        void Part(int part)
+        {
+            int first = (int)((long)height * part / parts), end = (int)((long)height * (part + 1) / parts);
+            MipReduction.Run(source, first, end, Channels * Strides[level], texels);
+            Close(level, first, end);
+        }
+
         if (parts == 1)
         {
             Part(0);
