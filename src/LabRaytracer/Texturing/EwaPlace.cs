@@ -24,19 +24,19 @@ internal readonly unsafe struct EwaPlace(int* numbers, int width)
     public int Stride => numbers[4 * width];
 
     /// <summary>Writes the places of a group of lookups.</summary>
-    /// <param name="pyramid">The pyramid.</param>
     /// <param name="level">Levels.</param>
+    /// <param name="start">Texels at which they start.</param>
+    /// <param name="stride">From a row of theirs to the next one.</param>
     /// <param name="column">Columns of the texels.</param>
     /// <param name="row">Rows of the texels.</param>
     /// <param name="numbers">Receives <see cref="Numbers"/> groups.</param>
-    public static void Store<I>(MipPyramid pyramid, I level, I column, I row, int* numbers)
+    public static void Store<I>(I level, I start, I stride, I column, I row, int* numbers)
         where I : unmanaged, IIndexLane<I>
     {
-        I stride = I.Gather(pyramid.Strides, level);
         I.Store(level, numbers);
         I.Store(column, numbers + I.Width);
         I.Store(row, numbers + (2 * I.Width));
-        I.Store(I.Gather(pyramid.Starts, level) + (row * stride) + column, numbers + (3 * I.Width));
+        I.Store(start + (row * stride) + column, numbers + (3 * I.Width));
         I.Store(stride, numbers + (4 * I.Width));
     }
 

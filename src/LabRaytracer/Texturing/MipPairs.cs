@@ -22,7 +22,7 @@ internal static unsafe class MipPairs
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        Find(pyramid, level, out I width, out I height, out I start, out I stride);
+        MipLevels.Find(pyramid, level, out I width, out I height, out I start, out I stride);
         F px = F.Fma(x, F.FromInt32(width), F.Of(-0.5)), py = F.Fma(y, F.FromInt32(height), F.Of(-0.5)), fx = F.Floor(px), fy = F.Floor(py);
         I column = F.ToInt32(fx), row = F.ToInt32(fy), zero = I.Of(0), one = I.Of(1), lastColumn = width - one, lastRow = height - one;
         F right = px - fx;
@@ -78,23 +78,5 @@ internal static unsafe class MipPairs
         Float8 column = Float8.Fma(Float8.Of(numbers[3 * width]), upper - lower, lower);
         Float4 left = Float8.Lower(column);
         return Float4.Fma(Float4.Of(numbers[2 * width]), Float8.Upper(column) - left, left);
-    }
-
-    /// <summary>Sizes of levels and where they lie; mostly one level for all lanes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Find<I>(MipPyramid pyramid, I level, out I width, out I height, out I start, out I stride)
-        where I : unmanaged, IIndexLane<I>
-    {
-        int one = I.Get(level, 0);
-        if (I.AllEqual(level, one))
-        {
-            (width, height, start, stride) = (I.Of(pyramid.Widths[one]), I.Of(pyramid.Heights[one]), I.Of(pyramid.Starts[one]), I.Of(pyramid.Strides[one]));
-            return;
-        }
-
-        width = I.Gather(pyramid.Widths, level);
-        height = I.Gather(pyramid.Heights, level);
-        start = I.Gather(pyramid.Starts, level);
-        stride = I.Gather(pyramid.Strides, level);
     }
 }
