@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace LabRaytracer;
 
 /// <summary>A pinhole camera (Polish: kamera perspektywiczna).</summary>

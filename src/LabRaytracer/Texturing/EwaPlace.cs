@@ -40,10 +40,11 @@ internal readonly unsafe struct EwaPlace(int* numbers, int width)
         I.Store(stride, numbers + (4 * I.Width));
     }
 
-    /// <summary>Mask of the lookups whose blocks of texels lie inside their levels. Blocks may begin up to a texel before the reach and end four behind it.</summary>
+    /// <summary>Mask of the lookups whose blocks of texels lie inside their levels or not far from it. Blocks may begin up to a texel before the reach and end four behind it.</summary>
     /// <param name="texel">Column or row of the texel at the centre.</param>
     /// <param name="size">Columns or rows of the level.</param>
     /// <param name="reach">Half the extent of the footprint, whole texels.</param>
-    public static I IsInside<I>(I texel, I size, I reach)
-        where I : unmanaged, IIndexLane<I> => ~I.Less(texel, reach + I.Of(2)) & I.Less(texel, size - reach - I.Of(6));
+    /// <param name="margin">How far beyond the ends texels lie that may be read.</param>
+    public static I IsInside<I>(I texel, I size, I reach, int margin)
+        where I : unmanaged, IIndexLane<I> => ~I.Less(texel, reach + I.Of(2 - margin)) & I.Less(texel, size - reach - I.Of(6 - margin));
 }

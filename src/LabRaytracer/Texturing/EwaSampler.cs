@@ -21,6 +21,9 @@ internal sealed unsafe class EwaSampler<TReader>(
     /// <summary>The most that the longer axis of a footprint may be of the shorter one.</summary>
     public const int MaxAnisotropy = 64;
 
+    /// <summary>Texels beside the levels that are there once more: as many as reach out of a level with a footprint up to sixteen times as long as wide.</summary>
+    public const int Margin = 40;
+
     [SkipLocalsInit]
     protected override void Filter<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, in ColorColumns<F> colors, int packets)
     {
@@ -80,7 +83,8 @@ internal sealed unsafe class EwaSampler<TReader>(
         sides.Store(columns, rows, R.ToSingle(x - left), R.ToSingle(y - below), kernels);
         I column = R.ToInt32(left), row = R.ToInt32(below);
         EwaPlace.Store(number, start, stride, column, row, group.Places);
-        F isInner = F.MaskFromInt32(EwaPlace.IsInside(column, width, F.ToInt32(kernels[EwaKernel.ReachXNumber])) & EwaPlace.IsInside(row, height, F.ToInt32(kernels[EwaKernel.ReachYNumber])));
+        I isBetween = EwaPlace.IsInside(column, width, F.ToInt32(kernels[EwaKernel.ReachXNumber]), across.Wrap == TextureWrap.Repeat ? Pyramid.Margin : 0);
+        F isInner = F.MaskFromInt32(isBetween & EwaPlace.IsInside(row, height, F.ToInt32(kernels[EwaKernel.ReachYNumber]), up.Wrap == TextureWrap.Repeat ? Pyramid.Margin : 0));
         *group.IsLarge = isLarge;
         *group.IsInner = isLarge & (Pyramid.HasPicture ? isInner : isInner & F.LessOrEqual(F.Of(1), level));
         *group.Share = F.Min((sides.LongerSquare - F.Of(1)) * F.Of(1.0 / 3), F.Of(1));
