@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace LabRaytracer;
 
 /// <summary>A pinhole camera (Polish: kamera perspektywiczna).</summary>
@@ -95,29 +93,16 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
         }
     }
 
-    /// <remarks>With D = f + a r + b u and d = D / |D|, d' = (D' - (d . D') d) / |D|, where 1 / |D| = d . f.</remarks>
     unsafe void IWideCamera.Differentials<T>(
-        in VectorColumns<T> directions, in DifferentialColumns<T> differentials, int packets, int width, int height, double spacing)
+        in VectorColumns<T> directions, in DifferentialColumns<T> differentials, int packets, int width, int height, double spacing) =>
+        Steps(height, spacing).Write(directions, differentials, packets);
+
+    /// <summary>How rays change from one sample to the next.</summary>
+    /// <param name="height">Height of the whole picture, pixels.</param>
+    /// <param name="spacing">Distance of samples, pixels.</param>
+    internal PinholeSteps Steps(int height, double spacing)
     {
         double step = 2 * _halfHeight / height * spacing;
-        VectorColumns<T> d = directions;
-        for (int packet = 0; packet < packets; packet++)
-        {
-            T x = d.X[packet], y = d.Y[packet], z = d.Z[packet];
-            T inverse = Lane.Dot(x, y, z, T.Of(_frame.Forward.X), T.Of(_frame.Forward.Y), T.Of(_frame.Forward.Z));
-            Turn(differentials.DirectionDx, packet, x, y, z, _frame.Right * step, inverse);
-            Turn(differentials.DirectionDy, packet, x, y, z, _frame.Up * -step, inverse);
-            differentials.OriginDx.Store(packet, T.Zero, T.Zero, T.Zero);
-            differentials.OriginDy.Store(packet, T.Zero, T.Zero, T.Zero);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Turn<T>(in VectorColumns<T> result, int packet, T x, T y, T z, Vector3D step, T inverse)
-        where T : unmanaged, IReal<T>
-    {
-        T sx = T.Of(step.X), sy = T.Of(step.Y), sz = T.Of(step.Z);
-        T along = -Lane.Dot(x, y, z, sx, sy, sz);
-        result.Store(packet, T.Fma(along, x, sx) * inverse, T.Fma(along, y, sy) * inverse, T.Fma(along, z, sz) * inverse);
+        return new PinholeSteps(_frame.Forward, _frame.Right * step, _frame.Up * -step);
     }
 }

@@ -223,15 +223,23 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
     {
         LinearLanes<F> frame = default;
+        if (_numberOfMember.Count == 1)
+        {
+            SharedParameters<R, F, I> only = new(_numbers, 0);
+            KernelSteps<K, R, F, I>.Frame(only, out frame);
+            KernelSteps<K, R, F, I>.Run(only, frame, 0, (count + R.Width - 1) / R.Width, surfaces, steps, needs);
+            return;
+        }
+
         int known = -1;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
             int one = ((int*)hits.Object)[run.First];
             I number = run.Collect(hits.Object);
-            if (_numberOfMember.Count == 1 || I.AllEqual(number, one))
+            if (I.AllEqual(number, one))
             {
-                int member = _numberOfMember.Count == 1 ? 0 : memberOfObject[one];
+                int member = memberOfObject[one];
                 SharedParameters<R, F, I> shape = new(_numbers, member * K.ParameterCount);
                 if (member != known)
                 {
@@ -239,7 +247,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
                     known = member;
                 }
 
-                KernelSteps<K, R, F, I>.Run(shape, frame, packet, surfaces, steps, needs);
+                KernelSteps<K, R, F, I>.Run(shape, frame, packet, packet + 1, surfaces, steps, needs);
             }
             else
             {
@@ -247,7 +255,7 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
                 GatheredParameters<R, F, I> shapes = new(_numbers, first);
                 KernelSteps<K, R, F, I>.Frame(shapes, out frame);
                 known = -1;
-                KernelSteps<K, R, F, I>.Run(shapes, frame, packet, surfaces, steps, needs);
+                KernelSteps<K, R, F, I>.Run(shapes, frame, packet, packet + 1, surfaces, steps, needs);
             }
         }
     }

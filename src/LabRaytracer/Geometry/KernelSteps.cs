@@ -25,41 +25,50 @@ internal static unsafe class KernelSteps<K, R, F, I>
         };
     }
 
-    /// <summary>Differentiates one group of lanes.</summary>
+    /// <summary>Differentiates some groups of lanes.</summary>
     /// <param name="shape">The shapes' numbers.</param>
     /// <param name="toLocal">Their <see cref="Frame"/>.</param>
-    /// <param name="packet">Group of lanes.</param>
+    /// <param name="first">First group of lanes.</param>
+    /// <param name="end">Group of lanes after the last one.</param>
     /// <param name="surfaces">The hits, normals already turned to the viewer.</param>
     /// <param name="steps">Steps in world space; receives what changes over them.</param>
     /// <param name="needs">What somebody reads.</param>
-    public static void Run<P>(in P shape, in LinearLanes<F> toLocal, int packet, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
+    public static void Run<P>(in P shape, in LinearLanes<F> toLocal, int first, int end, SurfaceBatch<R, F, I> surfaces, SurfaceSteps<F> steps, StepNeeds needs)
         where P : struct, IParameters<R>
     {
-        ToLocal(toLocal, packet, steps.WorldDx, steps.LocalDx, steps.WorldDy, steps.LocalDy);
+        ToLocal(toLocal, first, end, steps.WorldDx, steps.LocalDx);
+        ToLocal(toLocal, first, end, steps.WorldDy, steps.LocalDy);
         if ((needs & StepNeeds.Normal) != 0)
         {
             K.LocalFrame(shape, out LinearLanes<R> frame);
-            Bend(shape, frame, packet, surfaces, steps.LocalDx, steps.NormalDx);
-            Bend(shape, frame, packet, surfaces, steps.LocalDy, steps.NormalDy);
+            for (int packet = first; packet < end; packet++)
+            {
+                Bend(shape, frame, packet, surfaces, steps.LocalDx, steps.NormalDx);
+                Bend(shape, frame, packet, surfaces, steps.LocalDy, steps.NormalDy);
+            }
         }
 
         if ((needs & StepNeeds.SurfaceGradient) != 0)
         {
             K.SurfaceGradient(shape, out GradientLanes<R> g);
             GradientBatch<F> own = steps.SurfaceGradient;
-            (own.UX[packet], own.UY[packet], own.UZ[packet]) = (R.ToSingle(g.UX), R.ToSingle(g.UY), R.ToSingle(g.UZ));
-            (own.VX[packet], own.VY[packet], own.VZ[packet]) = (R.ToSingle(g.VX), R.ToSingle(g.VY), R.ToSingle(g.VZ));
+            for (int packet = first; packet < end; packet++)
+            {
+                (own.UX[packet], own.UY[packet], own.UZ[packet]) = (R.ToSingle(g.UX), R.ToSingle(g.UY), R.ToSingle(g.UZ));
+                (own.VX[packet], own.VY[packet], own.VZ[packet]) = (R.ToSingle(g.VX), R.ToSingle(g.VY), R.ToSingle(g.VZ));
+            }
         }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void ToLocal(
-        in LinearLanes<F> frame, int packet, in VectorColumns<F> worldDx, in VectorColumns<F> localDx, in VectorColumns<F> worldDy, in VectorColumns<F> localDy)
+    private static void ToLocal(in LinearLanes<F> frame, int first, int end, in VectorColumns<F> world, in VectorColumns<F> local)
     {
-        (F x, F y, F z) = frame.Apply(worldDx.X[packet], worldDx.Y[packet], worldDx.Z[packet]);
-        localDx.Store(packet, x, y, z);
-        (x, y, z) = frame.Apply(worldDy.X[packet], worldDy.Y[packet], worldDy.Z[packet]);
-        localDy.Store(packet, x, y, z);
+        F xx = frame.XX, xy = frame.XY, xz = frame.XZ, yx = frame.YX, yy = frame.YY, yz = frame.YZ, zx = frame.ZX, zy = frame.ZY, zz = frame.ZZ;
+        for (int packet = first; packet < end; packet++)
+        {
+            F x = world.X[packet], y = world.Y[packet], z = world.Z[packet];
+            local.Store(packet, Lane.Dot(xx, xy, xz, x, y, z), Lane.Dot(yx, yy, yz, x, y, z), Lane.Dot(zx, zy, zz, x, y, z));
+        }
     }
 
     private static void Bend<P>(in P shape, in LinearLanes<R> frame, int packet, SurfaceBatch<R, F, I> surfaces, in VectorColumns<F> local, in VectorColumns<F> result)

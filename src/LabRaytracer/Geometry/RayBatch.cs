@@ -31,6 +31,9 @@ internal sealed unsafe class RayBatch<R, F, I>
     private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
 
     private readonly bool[] _isNarrow;
+    private readonly DifferentialColumns<F> _differentials;
+    private PinholeSteps? _pinhole;
+    private bool _isDifferentiated;
 
     /// <param name="memory">Owns the columns.</param>
     /// <param name="capacity">Most rays.</param>
@@ -41,7 +44,7 @@ internal sealed unsafe class RayBatch<R, F, I>
         Capacity = capacity;
         _isNarrow = new bool[(capacity / R.Width / BundlePackets) + 1];
         HasDifferentials = hasDifferentials;
-        Differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
+        _differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
         OriginX = memory.Column<R>(capacity, R.Width);
         OriginY = memory.Column<R>(capacity, R.Width);
         OriginZ = memory.Column<R>(capacity, R.Width);
@@ -70,8 +73,33 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Tells whether the rays carry differentials.</summary>
     public bool HasDifferentials { get; }
 
+    /// <summary>Where all rays come from a pinhole camera: how they change from one sample to the next; null for other rays.</summary>
+    /// <remarks>Set once the rays are; their <see cref="Differentials"/> are written the first time that somebody asks for them.</remarks>
+    public PinholeSteps? Pinhole
+    {
+        get => _pinhole;
+        set
+        {
+            _pinhole = value;
+            _isDifferentiated = value is null;
+        }
+    }
+
     /// <summary>Changes of the rays from one sample to the next ones; only there if some texture is filtered.</summary>
-    public DifferentialColumns<F> Differentials { get; }
+    public DifferentialColumns<F> Differentials
+    {
+        get
+        {
+            if (_pinhole is { } pinhole && !_isDifferentiated)
+            {
+                _isDifferentiated = true;
+                Narrow();
+                pinhole.Write(SingleDirections, _differentials, Packets);
+            }
+
+            return _differentials;
+        }
+    }
 
     /// <summary>Directions rounded to float; written by <see cref="Narrow(int, int)"/>.</summary>
     public VectorColumns<F> SingleDirections => new(_directionX, _directionY, _directionZ);

@@ -44,6 +44,35 @@ internal static class PointFormulas
         }
     }
 
+    /// <summary>Changes of u and v over two steps of the local points, for the first groups of lanes of a batch; in floats.</summary>
+    /// <param name="positions">The points.</param>
+    /// <param name="stepX">Their steps over a sample to the right.</param>
+    /// <param name="stepY">Their steps over a sample down.</param>
+    /// <param name="changes">Receives the changes.</param>
+    /// <param name="packets">Groups of lanes.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static unsafe void Changes<TFormula, R, F, I>(
+        in PositionBatch<R> positions, in VectorColumns<F> stepX, in VectorColumns<F> stepY, in FootprintColumns changes, int packets)
+        where TFormula : struct, IPointFormula
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        R* px = positions.X, py = positions.Y, pz = positions.Z;
+        for (int i = 0; i < packets; i++)
+        {
+            TFormula.Gradient(R.ToSingle(px[i]), R.ToSingle(py[i]), R.ToSingle(pz[i]), out GradientLanes<F> g);
+            F x = stepX.X[i], y = stepX.Y[i], z = stepX.Z[i];
+            ((F*)changes.DuDx)[i] = Lane.Dot(g.UX, g.UY, g.UZ, x, y, z);
+            ((F*)changes.DvDx)[i] = Lane.Dot(g.VX, g.VY, g.VZ, x, y, z);
+            x = stepY.X[i];
+            y = stepY.Y[i];
+            z = stepY.Z[i];
+            ((F*)changes.DuDy)[i] = Lane.Dot(g.UX, g.UY, g.UZ, x, y, z);
+            ((F*)changes.DvDy)[i] = Lane.Dot(g.VX, g.VY, g.VZ, x, y, z);
+        }
+    }
+
     /// <summary>Maps the first groups of lanes of a batch.</summary>
     public static unsafe void Map<TFormula, R>(in PositionBatch<R> positions, in CoordinateBatch<R> coordinates, int packets)
         where TFormula : struct, IPointFormula

@@ -192,7 +192,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         SurfaceNeeds stepColumns = (steps & StepNeeds.Normal) != 0 ? SurfaceNeeds.LocalPoint : SurfaceNeeds.None;
         key.Group.Surface(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, material.Needs | _needs | stepColumns);
         Counters.Hits += count;
-        ViewerStage.Run(rays, hits, order, count, HasDifferentials || ReadsDirections(material), _buffers);
+        ViewerStage.Run(rays, hits, order, count, ReadsDirections(material), _buffers);
         if (steps != StepNeeds.None)
         {
             FootprintStage.Step(key.Group, rays, hits, order, count, _scene.MemberOfObject, _buffers, steps);

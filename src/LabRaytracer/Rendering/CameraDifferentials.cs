@@ -16,6 +16,12 @@ internal static unsafe class CameraDifferentials
         where I : unmanaged, IIndexLane<I>
     {
         double spacing = 1 / Math.Sqrt(samples);
+        rays.Pinhole = camera is PerspectiveCamera pinhole ? pinhole.Steps(options.Height, spacing) : null;
+        if (rays.Pinhole is not null)
+        {
+            return;
+        }
+
         if (camera is IWideCamera wide)
         {
             rays.Narrow();

@@ -20,7 +20,7 @@ internal static unsafe class FilterView
         {
             if (lookup.Coordinates >= 0 && lookup.Sampler?.FindAxes(material.Coordinates[lookup.Coordinates].Mapping) is { } axes)
             {
-                FootprintStage.Map(material.Coordinates[lookup.Coordinates], buffers, lookup.Coordinates, count);
+                FootprintStage.Map(material.Coordinates[lookup.Coordinates], buffers.Surfaces, buffers.Footprints!, lookup.Coordinates, count);
                 FootprintColumns footprints = buffers.Footprints!.Sets[lookup.Coordinates];
                 for (int i = 0; i < count; i++)
                 {

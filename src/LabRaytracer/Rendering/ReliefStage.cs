@@ -51,15 +51,14 @@ internal sealed unsafe class ReliefStage<R, F, I>
         }
 
         group.Differentiate(rays, hits, order, count, _scene.MemberOfObject, _buffers.Surfaces, _slopes.Steps, relief.Steps);
-        PositionBatch<F> narrow = _slopes.Narrow(_buffers.Surfaces.Positions, packets, material.Textures.ReadsWorld);
         if (relief.MapCoordinates >= 0)
         {
-            FootprintStage.Map(material.Coordinates[relief.MapCoordinates], narrow, _buffers.Surfaces, _slopes, relief.MapCoordinates, count);
+            FootprintStage.Map(material.Coordinates[relief.MapCoordinates], _buffers.Surfaces, _slopes, relief.MapCoordinates, count);
         }
 
         if (relief.BumpCoordinates >= 0 && relief.BumpCoordinates != relief.MapCoordinates)
         {
-            FootprintStage.Map(material.Coordinates[relief.BumpCoordinates], narrow, _buffers.Surfaces, _slopes, relief.BumpCoordinates, count);
+            FootprintStage.Map(material.Coordinates[relief.BumpCoordinates], _buffers.Surfaces, _slopes, relief.BumpCoordinates, count);
         }
 
         _buffers.Surfaces.SeparateNormals(packets);

@@ -196,6 +196,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     {
         _rays.Count = count;
         _rays.Bounds = null;
+        _rays.Pinhole = null;
         _hasPrimaryOrder = false;
         for (int i = 0; i < count; i++)
         {

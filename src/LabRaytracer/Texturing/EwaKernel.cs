@@ -14,13 +14,43 @@ namespace LabRaytracer;
 internal readonly unsafe struct EwaKernel(float* numbers, int width)
 {
     /// <summary>How many groups of numbers <see cref="Store"/> writes for a group of lookups.</summary>
-    public const int Numbers = 13;
+    public const int Numbers = 15;
 
-    /// <summary>Which of them is <see cref="ReachX"/>.</summary>
+    /// <summary>Number of the group: s of a step along a row, in units in which its trapezoid falls by 1 over 1.</summary>
+    public const int SXNumber = 0;
+
+    /// <summary>s of a step across the rows.</summary>
+    public const int SYNumber = 1;
+
+    /// <summary>t of a step along a row, in units in which its trapezoid falls by 1 over 1.</summary>
+    public const int TXNumber = 3;
+
+    /// <summary>t of a step across the rows.</summary>
+    public const int TYNumber = 4;
+
+    /// <summary>Half the extent along rows, texels.</summary>
     public const int ReachXNumber = 7;
 
-    /// <summary>Which of them is <see cref="ReachY"/>.</summary>
+    /// <summary>Half the extent across the rows, texels.</summary>
     public const int ReachYNumber = 8;
+
+    /// <summary>Where pairs of rows cross the strip of s: its middle moves by this much a row.</summary>
+    public const int SlantSNumber = 9;
+
+    /// <summary>Texels of a pair of rows within this reach of that middle can lie inside the strip.</summary>
+    public const int ReachSNumber = 10;
+
+    /// <summary>Centre along a row, texels, from the centre of the texel to the left, [0, 1).</summary>
+    public const int CenterXNumber = 11;
+
+    /// <summary>Centre across the rows, texels, from the centre of the texel below, [0, 1).</summary>
+    public const int CenterYNumber = 12;
+
+    /// <summary>The slant of the strip of t.</summary>
+    public const int SlantTNumber = 13;
+
+    /// <summary>Its reach.</summary>
+    public const int ReachTNumber = 14;
 
     /// <summary>Components of grad s below this one, in 1/texels, do not bound a row: the other sides do.</summary>
     private const double LeastGradient = 1.0 / 4096;
@@ -28,44 +58,26 @@ internal readonly unsafe struct EwaKernel(float* numbers, int width)
     /// <summary>Stands for no bound, texels.</summary>
     private const double Far = 1e6;
 
-    /// <summary>s of a step along a row, in units in which its trapezoid falls by 1 over 1.</summary>
-    public float SX => numbers[0];
+    /// <summary>s of a step along a row.</summary>
+    public float SX => numbers[SXNumber];
 
     /// <summary>s of a step across the rows.</summary>
-    public float SY => numbers[width];
+    public float SY => numbers[SYNumber * width];
 
     /// <summary>Where the trapezoid of s reaches 0.</summary>
     public float SEnd => numbers[2 * width];
 
-    /// <summary>t of a step along a row, in units in which its trapezoid falls by 1 over 1.</summary>
-    public float TX => numbers[3 * width];
+    /// <summary>t of a step along a row.</summary>
+    public float TX => numbers[TXNumber * width];
 
     /// <summary>t of a step across the rows.</summary>
-    public float TY => numbers[4 * width];
+    public float TY => numbers[TYNumber * width];
 
     /// <summary>Where the trapezoid of t reaches 0.</summary>
     public float TEnd => numbers[5 * width];
 
     /// <summary>0 where the sides are at right angles, up to 1 or -1 where they are parallel.</summary>
     public float Skew => numbers[6 * width];
-
-    /// <summary>Half the extent along rows, texels.</summary>
-    public float ReachX => numbers[ReachXNumber * width];
-
-    /// <summary>Half the extent across the rows, texels.</summary>
-    public float ReachY => numbers[ReachYNumber * width];
-
-    /// <summary>Where pairs of rows cross the narrower of both strips: the middle moves by this much a row.</summary>
-    public float Slant => numbers[9 * width];
-
-    /// <summary>Texels of a pair of rows within this reach of the middle can lie inside.</summary>
-    public float Reach => numbers[10 * width];
-
-    /// <summary>Centre along a row, texels, from the centre of the texel to the left, [0, 1).</summary>
-    public float CenterX => numbers[11 * width];
-
-    /// <summary>Centre across the rows, texels, from the centre of the texel below, [0, 1).</summary>
-    public float CenterY => numbers[12 * width];
 
     /// <summary>Writes the numbers of a group of lookups.</summary>
     /// <param name="ax">First side of the footprint along rows, texels of the level.</param>
@@ -87,22 +99,19 @@ internal readonly unsafe struct EwaKernel(float* numbers, int width)
         F cosine = F.Fma(sx, tx, sy * ty) / (es * et), excess = F.Max(F.Fma(F.Abs(cosine), F.Of(2), -one), F.Zero);
         F endS = F.Fma(es, half, half), endT = F.Fma(et, half, half);
         F slopeS = one / F.Min(es, one), slopeT = one / F.Min(et, one);
-        numbers[0] = sx * slopeS;
-        numbers[1] = sy * slopeS;
+        numbers[SXNumber] = sx * slopeS;
+        numbers[SYNumber] = sy * slopeS;
         numbers[2] = endS * slopeS;
-        numbers[3] = tx * slopeT;
-        numbers[4] = ty * slopeT;
+        numbers[TXNumber] = tx * slopeT;
+        numbers[TYNumber] = ty * slopeT;
         numbers[5] = endT * slopeT;
         numbers[6] = F.Min(excess, one) * F.Select(F.Less(cosine, F.Zero), -one, one);
         numbers[ReachXNumber] = F.Fma(endS, F.Abs(ax), endT * F.Abs(bx));
         numbers[ReachYNumber] = F.Fma(endS, F.Abs(ay), endT * F.Abs(by));
-        (F slantS, F reachS) = Bound(sx, sy, endS);
-        (F slantT, F reachT) = Bound(tx, ty, endT);
-        F isS = F.Less(reachS, reachT);
-        numbers[9] = F.Select(isS, slantS, slantT);
-        numbers[10] = F.Select(isS, reachS, reachT);
-        numbers[11] = centerX;
-        numbers[12] = centerY;
+        (numbers[SlantSNumber], numbers[ReachSNumber]) = Bound(sx, sy, endS);
+        (numbers[SlantTNumber], numbers[ReachTNumber]) = Bound(tx, ty, endT);
+        numbers[CenterXNumber] = centerX;
+        numbers[CenterYNumber] = centerY;
     }
 
     /// <summary>Where a strip between two sides crosses rows: its middle moves by the slant a row; half its width, and what it moves over half a row.</summary>

@@ -24,26 +24,27 @@ internal readonly unsafe struct EwaPlace(int* numbers, int width)
     public int Stride => numbers[4 * width];
 
     /// <summary>Writes the places of a group of lookups.</summary>
-    /// <param name="pyramid">The pyramid.</param>
     /// <param name="level">Levels.</param>
+    /// <param name="start">Texels at which they start.</param>
+    /// <param name="stride">From a row of theirs to the next one.</param>
     /// <param name="column">Columns of the texels.</param>
     /// <param name="row">Rows of the texels.</param>
     /// <param name="numbers">Receives <see cref="Numbers"/> groups.</param>
-    public static void Store<I>(MipPyramid pyramid, I level, I column, I row, int* numbers)
+    public static void Store<I>(I level, I start, I stride, I column, I row, int* numbers)
         where I : unmanaged, IIndexLane<I>
     {
-        I stride = I.Gather(pyramid.Strides, level);
         I.Store(level, numbers);
         I.Store(column, numbers + I.Width);
         I.Store(row, numbers + (2 * I.Width));
-        I.Store(I.Gather(pyramid.Starts, level) + (row * stride) + column, numbers + (3 * I.Width));
+        I.Store(start + (row * stride) + column, numbers + (3 * I.Width));
         I.Store(stride, numbers + (4 * I.Width));
     }
 
-    /// <summary>Mask of the lookups whose blocks of texels lie inside their levels. Blocks may begin up to a texel before the reach and end four behind it.</summary>
+    /// <summary>Mask of the lookups whose blocks of texels lie inside their levels or not far from it. Blocks may begin up to a texel before the reach and end four behind it.</summary>
     /// <param name="texel">Column or row of the texel at the centre.</param>
     /// <param name="size">Columns or rows of the level.</param>
     /// <param name="reach">Half the extent of the footprint, whole texels.</param>
-    public static I IsInside<I>(I texel, I size, I reach)
-        where I : unmanaged, IIndexLane<I> => ~I.Less(texel, reach + I.Of(2)) & I.Less(texel, size - reach - I.Of(6));
+    /// <param name="margin">How far beyond the ends texels lie that may be read.</param>
+    public static I IsInside<I>(I texel, I size, I reach, int margin)
+        where I : unmanaged, IIndexLane<I> => ~I.Less(texel, reach + I.Of(2 - margin)) & I.Less(texel, size - reach - I.Of(6 - margin));
 }

@@ -21,6 +21,9 @@ internal sealed unsafe class EwaSampler<TReader>(
     /// <summary>The most that the longer axis of a footprint may be of the shorter one.</summary>
     public const int MaxAnisotropy = 64;
 
+    /// <summary>Texels beside the levels that are there once more: as many as reach out of a level with a footprint up to sixteen times as long as wide.</summary>
+    public const int Margin = 40;
+
     [SkipLocalsInit]
     protected override void Filter<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, in ColorColumns<F> colors, int packets)
     {
@@ -32,23 +35,36 @@ internal sealed unsafe class EwaSampler<TReader>(
         }
 
         Enlarge<R, F, I>(lookups, colors, sizes, 4, packets);
-        int fallbacks = 0;
+        F* memory = stackalloc F[2 * EwaGroup<F>.Size];
+        EwaGroup<F> group = new(memory), next = new(memory + EwaGroup<F>.Size);
+        int fallbacks = 0, last = -1;
         for (int packet = 0; packet < packets; packet++)
         {
             if (F.Any(F.Less(F.Of(1), sizes[packet])))
             {
-                fallbacks += Average<R, F, I>(lookups, across, up, colors, packet);
+                fallbacks += Prepare<R, F, I>(lookups, across, up, packet, next);
+                if (last >= 0)
+                {
+                    Average<F, I>(group, next, across.Wrap, up.Wrap, colors, last);
+                }
+
+                (group, next, last) = (next, group, packet);
             }
+        }
+
+        if (last >= 0)
+        {
+            *next.IsInner = F.Zero;
+            Average<F, I>(group, next, across.Wrap, up.Wrap, colors, last);
         }
 
         CountFallbacks(fallbacks);
     }
 
-    /// <summary>Averages over the footprints of a group of lanes, where they are larger than a texel.</summary>
+    /// <summary>Finds out what there is to read of the footprints of a group of lanes, where they are larger than a texel.</summary>
     /// <returns>How many were too long.</returns>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private int Average<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, in ColorColumns<F> colors, int packet)
+    private int Prepare<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, int packet, EwaGroup<F> group)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -56,38 +72,80 @@ internal sealed unsafe class EwaSampler<TReader>(
         Sides<F> sides = new(lookups.Footprints, across, up, packet);
         R u = lookups.Coordinates.U[packet], v = lookups.Coordinates.V[packet];
         F isLarge = F.Less(F.Of(1), sides.LongerSquare) & ~R.MaskToSingle(across.Outside(u) | up.Outside(v));
-        F level = sides.Level(Pyramid.LevelCount - 1, out F isTooLong);
+        F level = F.Select(isLarge, sides.Level(Pyramid.LevelCount - 1, out F isTooLong), F.Zero);
         Require(level, isLarge);
 
-        I number = F.ToInt32(level), width = I.Gather(Pyramid.Widths, number), height = I.Gather(Pyramid.Heights, number);
+        I number = F.ToInt32(level);
+        MipLevels.Find(Pyramid, number, out I width, out I height, out I start, out I stride);
         F columns = F.FromInt32(width), rows = F.FromInt32(height);
         R x = R.Fma(Place(across, u), R.FromSingle(columns), R.Of(-0.5)), y = R.Fma(Place(up, v), R.FromSingle(rows), R.Of(-0.5)), left = R.Floor(x), below = R.Floor(y);
-        F* kernels = stackalloc F[EwaKernel.Numbers];
+        F* kernels = group.Kernels;
         sides.Store(columns, rows, R.ToSingle(x - left), R.ToSingle(y - below), kernels);
         I column = R.ToInt32(left), row = R.ToInt32(below);
-        int* places = stackalloc int[EwaPlace.Numbers * F.Width];
-        EwaPlace.Store(Pyramid, number, column, row, places);
-        F isInner = F.MaskFromInt32(EwaPlace.IsInside(column, width, F.ToInt32(kernels[EwaKernel.ReachXNumber])) & EwaPlace.IsInside(row, height, F.ToInt32(kernels[EwaKernel.ReachYNumber])));
-        isInner = Pyramid.HasPicture ? isInner : isInner & F.LessOrEqual(F.Of(1), level);
+        EwaPlace.Store(number, start, stride, column, row, group.Places);
+        I isBetween = EwaPlace.IsInside(column, width, F.ToInt32(kernels[EwaKernel.ReachXNumber]), across.Wrap == TextureWrap.Repeat ? Pyramid.Margin : 0);
+        F isInner = F.MaskFromInt32(isBetween & EwaPlace.IsInside(row, height, F.ToInt32(kernels[EwaKernel.ReachYNumber]), up.Wrap == TextureWrap.Repeat ? Pyramid.Margin : 0));
+        *group.IsLarge = isLarge;
+        *group.IsInner = isLarge & (Pyramid.HasPicture ? isInner : isInner & F.LessOrEqual(F.Of(1), level));
+        *group.Share = F.Min((sides.LongerSquare - F.Of(1)) * F.Of(1.0 / 3), F.Of(1));
+        EwaRows.Find<F, I>(kernels, group.Rows, 0, Math.Min(EwaRows.Begin<F, I>(kernels, isLarge, group.Rows), EwaRows.Pairs));
+        return BitOperations.PopCount(F.Bits(isTooLong & isLarge));
+    }
+
+    /// <summary>Averages over the footprints of a group of lanes.</summary>
+    /// <param name="group">The group.</param>
+    /// <param name="next">The next one, whose texels the memory is asked for.</param>
+    /// <param name="wrapU">What lies beyond the columns.</param>
+    /// <param name="wrapV">What lies beyond the rows.</param>
+    /// <param name="colors">Where the colours go.</param>
+    /// <param name="packet">Number of the group.</param>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Average<F, I>(EwaGroup<F> group, EwaGroup<F> next, TextureWrap wrapU, TextureWrap wrapV, in ColorColumns<F> colors, int packet)
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
         Float4* means = stackalloc Float4[Math.Max(F.Width, 4)];
-        uint inner = F.Bits(isInner);
-        for (uint open = F.Bits(isLarge); open != 0; open &= open - 1)
+        uint open = F.Bits(*group.IsLarge), inner = F.Bits(*group.IsInner), ahead = F.Bits(*next.IsInner);
+        for (uint lanes = open | ahead; lanes != 0; lanes &= lanes - 1)
         {
-            int lane = BitOperations.TrailingZeroCount(open), next = BitOperations.TrailingZeroCount(open & (open - 1));
-            if (next < F.Width && (inner >> next & 1) != 0)
+            int lane = BitOperations.TrailingZeroCount(lanes);
+            if ((ahead >> lane & 1) != 0)
             {
-                Prefetch(new EwaPlace(places + next, F.Width), new EwaKernel((float*)kernels + next, F.Width));
+                Prefetch<F>(next.Places + lane, (float*)next.Rows + lane);
             }
 
-            means[lane] = Mean(new EwaPlace(places + lane, F.Width), across.Wrap, up.Wrap, new EwaKernel((float*)kernels + lane, F.Width), (inner >> lane & 1) != 0);
+            if ((open >> lane & 1) != 0)
+            {
+                means[lane] = Sum(group, lane, wrapU, wrapV, (inner >> lane & 1) != 0, 0);
+            }
+        }
+
+        int pairs = (int)F.Largest(F.FromInt32(I.Load((int*)(group.Rows + 1))));
+        for (int first = EwaRows.Pairs; first < pairs; first += EwaRows.Pairs)
+        {
+            EwaRows.Find<F, I>(group.Kernels, group.Rows, first, Math.Min(pairs - first, EwaRows.Pairs));
+            for (uint lanes = open; lanes != 0; lanes &= lanes - 1)
+            {
+                int lane = BitOperations.TrailingZeroCount(lanes);
+                if (((int*)(group.Rows + 1))[lane] > first)
+                {
+                    means[lane] += Sum(group, lane, wrapU, wrapV, (inner >> lane & 1) != 0, first);
+                }
+            }
+        }
+
+        for (; open != 0; open &= open - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(open);
+            means[lane] /= Float4.Of(Float4.Get(means[lane], 3));
         }
 
         LaneTriples.Turn(means, out F red, out F green, out F blue);
-        F share = F.Min((sides.LongerSquare - F.Of(1)) * F.Of(1.0 / 3), F.Of(1)), isWhole = F.LessOrEqual(F.Of(1), share);
+        F isLarge = *group.IsLarge, share = *group.Share, isWhole = F.LessOrEqual(F.Of(1), share);
         Mix(ref colors.R[packet], red, share, isWhole, isLarge);
         Mix(ref colors.G[packet], green, share, isWhole, isLarge);
         Mix(ref colors.B[packet], blue, share, isWhole, isLarge);
-        return BitOperations.PopCount(F.Bits(isTooLong & isLarge));
     }
 
     /// <summary>Between a bilinear colour and the mean of a footprint.</summary>
@@ -107,99 +165,61 @@ internal sealed unsafe class EwaSampler<TReader>(
         }
     }
 
-    /// <summary>Asks the memory for the texels of the next lookup, whose rows lie far apart.</summary>
+    /// <summary>Asks the memory for the first texels of a lookup that will soon be summed: they lie far apart.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Prefetch(EwaPlace place, EwaKernel kernel)
+    private void Prefetch<F>(int* places, float* rows)
+        where F : unmanaged, IReal<F>
     {
+        EwaPlace place = new(places, F.Width);
         nint stride = MipPyramid.Channels * place.Stride;
-        int reach = (int)kernel.ReachY;
-        float* row = Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel) - (reach * stride);
-        float step = kernel.Slant * MipPyramid.Channels, x = -reach * step;
-        for (int y = -reach; y <= reach + 1; y++)
+        float* row = Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel) + (((int*)rows)[0] * stride), pair = rows + (EwaRows.Lead * F.Width);
+        for (int pairs = Math.Min(((int*)rows)[F.Width], EwaRows.Pairs); pairs > 0; pairs--)
         {
-            CacheLine.Prefetch(row + float.ConvertToIntegerNative<int>(x));
-            row += stride;
-            x += step;
+            float* block = row + (MipPyramid.Channels * ((int*)pair)[0]);
+            for (int count = ((int*)pair)[F.Width]; count > 0; count--)
+            {
+                CacheLine.Prefetch(block);
+                CacheLine.Prefetch(block + stride);
+                block += 4 * MipPyramid.Channels;
+            }
+
+            row += 2 * stride;
+            pair += EwaRows.PairNumbers * F.Width;
         }
     }
 
-    /// <summary>The mean over one footprint: red, green, blue, 1.</summary>
+    /// <summary>The sum over some pairs of rows of one lookup: red, green, blue, and the sum of the weights.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Float4 Mean(EwaPlace place, TextureWrap wrapU, TextureWrap wrapV, EwaKernel kernel, bool isInner)
+    private Float4 Sum<F>(EwaGroup<F> group, int lane, TextureWrap wrapU, TextureWrap wrapV, bool isInner, int first)
+        where F : unmanaged, IReal<F>
     {
+        EwaPlace place = new(group.Places + lane, F.Width);
+        float* kernel = (float*)group.Kernels + lane, rows = (float*)group.Rows + lane;
         if (!isInner)
         {
-            return OuterMean(place, wrapU, wrapV, kernel);
+            return OuterSum<F>(place, wrapU, wrapV, kernel, rows, first);
         }
 
         EwaInnerBlocks inner = new(Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel), MipPyramid.Channels * place.Stride);
-        return kernel.Skew == 0 ? Sum<EwaInnerBlocks, Straight>(ref inner, kernel) : Sum<EwaInnerBlocks, Skewed>(ref inner, kernel);
+        return new EwaKernel(kernel, F.Width).Skew == 0
+            ? EwaSums.Sum<EwaInnerBlocks, Straight, F>(inner, kernel, rows, first)
+            : EwaSums.Sum<EwaInnerBlocks, Skewed, F>(inner, kernel, rows, first);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private Float4 OuterMean(EwaPlace place, TextureWrap wrapU, TextureWrap wrapV, EwaKernel kernel)
+    private Float4 OuterSum<F>(EwaPlace place, TextureWrap wrapU, TextureWrap wrapV, float* kernel, float* rows, int first)
+        where F : unmanaged, IReal<F>
     {
         EwaLevel texels = new(Pyramid, place.Level, Start, wrapU, wrapV);
         if (place.Level == 0 && !Pyramid.HasPicture)
         {
-            EwaPackedBlocks<TReader> packed = new(texels, Reader, place.Column, place.Row);
-            return Sum<EwaPackedBlocks<TReader>, Skewed>(ref packed, kernel);
+            return EwaSums.Sum<EwaPackedBlocks<TReader>, Skewed, F>(new EwaPackedBlocks<TReader>(texels, Reader, place.Column, place.Row), kernel, rows, first);
         }
 
         EwaOuterBlocks outer = new(texels, Pyramid, place.Column, place.Row);
-        return kernel.Skew == 0 ? Sum<EwaOuterBlocks, Straight>(ref outer, kernel) : Sum<EwaOuterBlocks, Skewed>(ref outer, kernel);
-    }
-
-    /// <summary>The mean of texels by their weights.</summary>
-    [SkipLocalsInit]
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Float4 Sum<TBlocks, TWeights>(ref TBlocks blocks, EwaKernel kernel)
-        where TBlocks : struct, IEwaBlocks
-        where TWeights : struct, IEwaWeights
-    {
-        Float8 one = Float8.Of(1f), columns = Float8.Join(Float4.Iota(0), Float4.Iota(0)), rows = Float8.Join(Float4.Zero, Float4.Of(1));
-        Float8 blockS = Float8.Fma(columns, Float8.Of(kernel.SX), rows * Float8.Of(kernel.SY)), blockT = Float8.Fma(columns, Float8.Of(kernel.TX), rows * Float8.Of(kernel.TY));
-        Float8 endS = Float8.Of(kernel.SEnd), endT = Float8.Of(kernel.TEnd), even = Float8.Zero, odd = Float8.Zero;
-        float sx = kernel.SX, tx = kernel.TX, sy = kernel.SY, ty = kernel.TY, skew = kernel.Skew, slant = kernel.Slant, reach = kernel.Reach;
-        float cx = kernel.CenterX, cy = kernel.CenterY, left = cx - kernel.ReachX, right = cx + kernel.ReachX, bottom = MathF.Ceiling(cy - kernel.ReachY);
-        int pairs = float.ConvertToIntegerNative<int>((cy + kernel.ReachY - bottom) * 0.5f) + 1;
-        int* counts = stackalloc int[Float8.Width];
-        float* starts = stackalloc float[4 * Float8.Width];
-
-        // Rows and columns are whole numbers, a few hundred at most, exact as floats. Those of eight pairs of rows are found at once: the processor guesses how many blocks
-        // a pair has, and a wrong guess costs less where the number is known early.
-        for (int first = 0; first < pairs; first += Float8.Width)
-        {
-            Float8 y = Float8.Fma(Float8.Iota(first), Float8.Of(2f), Float8.Of(bottom)), dy = y - Float8.Of(cy), middle = Float8.Fma(Float8.Of(slant), dy + Float8.Of(0.5f), Float8.Of(cx));
-            Float8 start = -Float8.Floor(-Float8.Max(middle - Float8.Of(reach), Float8.Of(left))), width = Float8.Min(middle + Float8.Of(reach), Float8.Of(right)) - start;
-            Int8.Store(Float8.ToInt32(Float8.Floor(width * Float8.Of(0.25f)) + Float8.Of(1f)), counts);
-            ((Float8*)starts)[0] = start;
-            ((Float8*)starts)[1] = y;
-            ((Float8*)starts)[2] = Float8.Fma(Float8.Of(sy), dy, Float8.Of(-sx * cx));
-            ((Float8*)starts)[3] = Float8.Fma(Float8.Of(ty), dy, Float8.Of(-tx * cx));
-            int end = Math.Min(pairs - first, Float8.Width);
-            for (int i = 0; i < end; i++)
-            {
-                float x = starts[i], rowS = starts[i + (2 * Float8.Width)], rowT = starts[i + (3 * Float8.Width)];
-                blocks.Row(float.ConvertToIntegerNative<int>(starts[i + Float8.Width]));
-                for (int count = counts[i]; count > 0; count--)
-                {
-                    blocks.Read(float.ConvertToIntegerNative<int>(x), out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
-                    Float8 s = blockS + Float8.Of(MathF.FusedMultiplyAdd(sx, x, rowS)), t = blockT + Float8.Of(MathF.FusedMultiplyAdd(tx, x, rowT));
-                    Float8 shareS = Float8.Max(Float8.Min(endS - Float8.Abs(s), one), Float8.Zero), shareT = Float8.Max(Float8.Min(endT - Float8.Abs(t), one), Float8.Zero);
-                    Float8 weight = TWeights.Joint(shareS, shareT, s ^ t, skew);
-                    even = Float8.Fma(Float8.Spread(weight, 0), lower0, even);
-                    odd = Float8.Fma(Float8.Spread(weight, 1), lower2, odd);
-                    even = Float8.Fma(Float8.Spread(weight, 2), upper0, even);
-                    odd = Float8.Fma(Float8.Spread(weight, 3), upper2, odd);
-                    x += 4;
-                }
-            }
-        }
-
-        Float8 sums = even + odd;
-        Float4 sum = Float8.Lower(sums) + Float8.Upper(sums);
-        return sum / Float4.Of(Float4.Get(sum, 3));
+        return new EwaKernel(kernel, F.Width).Skew == 0
+            ? EwaSums.Sum<EwaOuterBlocks, Straight, F>(outer, kernel, rows, first)
+            : EwaSums.Sum<EwaOuterBlocks, Skewed, F>(outer, kernel, rows, first);
     }
 
     /// <summary>Footprints of one group of lanes, texels of the picture.</summary>

@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>Smaller and smaller versions of a picture in linear light, each half as large as the one before (Williams, "Pyramidal parametrics", 1983).</summary>
 /// <remarks>
 /// <para>Level 0 is the picture itself and stays packed; of a small one there is an unpacked copy too, once somebody asks for it. Level k + 1 is made of level k by <see cref="MipReduction"/>, the first time that somebody asks for it;
-/// a level has the same bits whoever builds it. 16 bytes a texel, a third of the picture's texels in all; memory of levels that nobody asks for is not touched.</para>
+/// a level has the same bits whoever builds it. 16 bytes a texel, a third of the picture's texels in all; behind each row lies its first texel once more, for those who read two at a time where the picture repeats; memory of levels that nobody asks for is not touched.</para>
 /// <para>Thread safe.</para>
 /// </remarks>
 internal sealed unsafe class MipPyramid
@@ -32,9 +32,11 @@ internal sealed unsafe class MipPyramid
     private bool _isUnpacked;
 
     /// <param name="picture">The picture, linear light.</param>
-    public MipPyramid(TexelRows picture)
+    /// <param name="margin">Texels around each level that show it once more, as a wall of tiles would: what repeats is then read without looking where it ends. A multiple of 4.</param>
+    public MipPyramid(TexelRows picture, int margin = 0)
     {
         _picture = picture;
+        Margin = margin;
         int width = picture.Width, height = picture.Height, count = 1;
         for (int longest = Math.Max(width, height); longest > 1; longest /= 2)
         {
@@ -52,9 +54,9 @@ internal sealed unsafe class MipPyramid
         {
             Widths[level] = width;
             Heights[level] = height;
-            Starts[level] = (int)texels;
-            Strides[level] = Stride(width);
-            texels += level == 0 && !HasPicture ? 0 : (long)Strides[level] * height;
+            Strides[level] = Stride(margin + width + Math.Max(margin, 1));
+            Starts[level] = (int)Math.Min(texels + ((long)margin * Strides[level]) + margin, int.MaxValue);
+            texels += level == 0 && !HasPicture ? 0 : (long)Strides[level] * (height + (2 * margin));
             width = MipReduction.Half(width);
             height = MipReduction.Half(height);
         }
@@ -72,6 +74,9 @@ internal sealed unsafe class MipPyramid
 
     /// <summary>Number of levels, with the picture itself; the last one is a single texel.</summary>
     public int LevelCount { get; }
+
+    /// <summary>Texels around each level that show it once more; of those beside it, one on the right is always there.</summary>
+    public int Margin { get; }
 
     /// <summary>Columns of each level.</summary>
     public int* Widths { get; }
@@ -117,7 +122,7 @@ internal sealed unsafe class MipPyramid
     }
 
     /// <summary>
-    /// Texels of a row and, where rows are long, some that nobody reads: an odd number of lines of the cache. Rows at distances of powers of two compete for the same few
+    /// Texels of a row with those beside it and, where rows are long, some that nobody reads: an odd number of lines of the cache. Rows at distances of powers of two compete for the same few
     /// places in it, and footprints that reach over many rows then wait for the memory at each of them.
     /// </summary>
     private static int Stride(int width) => width < LongRow ? width : (((width + LineTexels - 1) / LineTexels) | 1) * LineTexels;
@@ -149,14 +154,46 @@ internal sealed unsafe class MipPyramid
         for (int y = 0; y < Heights[0]; y++)
         {
             _picture.Read(y, row, row + width, row + (2 * width));
-            float* texel = Texels + ((long)y * Strides[0] * Channels);
+            float* texel = Row(0, y);
             for (int x = 0; x < width; x++)
             {
                 (texel[0], texel[1], texel[2], texel[3]) = (row[x], row[width + x], row[(2 * width) + x], 1);
                 texel += Channels;
             }
         }
+
+        CloseRows(0, 0, Heights[0]);
+        Close(0);
     }
+
+    /// <summary>Writes what lies beside some rows of a level.</summary>
+    private void CloseRows(int level, int first, int end)
+    {
+        int width = Widths[level];
+        for (int y = first; y < end; y++)
+        {
+            float* row = Row(level, y);
+            for (int x = -Margin; x < width + Math.Max(Margin, 1); x = x == -1 ? width : x + 1)
+            {
+                int inside = x % width;
+                float* from = row + (Channels * (inside < 0 ? inside + width : inside)), to = row + (Channels * x);
+                (to[0], to[1], to[2], to[3]) = (from[0], from[1], from[2], from[3]);
+            }
+        }
+    }
+
+    /// <summary>Writes what lies below and above a level, whose rows are closed.</summary>
+    private void Close(int level)
+    {
+        int height = Heights[level], floats = Channels * (Widths[level] + (2 * Margin));
+        for (int y = -Margin; y < height + Margin; y = y == -1 ? height : y + 1)
+        {
+            int inside = y % height;
+            new ReadOnlySpan<float>(Row(level, inside < 0 ? inside + height : inside) - (Channels * Margin), floats).CopyTo(new Span<float>(Row(level, y) - (Channels * Margin), floats));
+        }
+    }
+
+    private float* Row(int level, int y) => Texels + (Channels * (Starts[level] + ((long)y * Strides[level])));
 
     /// <summary>One texel of a level from 1 on; y up.</summary>
     public Intensity Texel(int level, int x, int y)
@@ -172,8 +209,13 @@ internal sealed unsafe class MipPyramid
         float* texels = Texels + (Channels * (long)Starts[level]);
         bool isLarge = threads > 1 && (long)Widths[level] * height >= ParallelTexels;
         int parts = isLarge ? Math.Min(height, 8 * threads) : 1;
-        void Part(int part) => MipReduction.Run(
-            source, (int)((long)height * part / parts), (int)((long)height * (part + 1) / parts), Channels * Strides[level], texels);
+        void Part(int part)
+        {
+            int first = (int)((long)height * part / parts), end = (int)((long)height * (part + 1) / parts);
+            MipReduction.Run(source, first, end, Channels * Strides[level], texels);
+            CloseRows(level, first, end);
+        }
+
         if (parts == 1)
         {
             Part(0);
@@ -182,6 +224,8 @@ internal sealed unsafe class MipPyramid
         {
             Parallel.For(0, parts, new ParallelOptions { MaxDegreeOfParallelism = threads }, Part);
         }
+
+        Close(level);
     }
 
     /// <summary>Rows of a level that is unpacked.</summary>

@@ -95,12 +95,13 @@ internal static unsafe class PictureSamplers
     private static TextureSampler Sampler<TReader>(TexelStore store, float[]? table, TReader reader, bool isData, SamplingOptions options, TextureFilter filter)
         where TReader : struct, ITexelReader
     {
-        MipPyramid Pyramid() => store.Pyramid((typeof(TReader), isData, options.ColorSpace), () => new MipPyramid(new ReaderRows<TReader>(store, table, reader)));
+        MipPyramid Pyramid(int margin = 0) =>
+            store.Pyramid((typeof(TReader), isData, options.ColorSpace, margin), () => new MipPyramid(new ReaderRows<TReader>(store, table, reader), margin));
         return filter switch
         {
             TextureFilter.CatmullRom or TextureFilter.BSpline => new BicubicSampler<TReader>(store, table, reader, options, filter, isData),
             TextureFilter.Trilinear => new TrilinearSampler<TReader>(store, table, reader, options, Pyramid()),
-            TextureFilter.Ewa => new EwaSampler<TReader>(store, table, reader, options, Pyramid()),
+            TextureFilter.Ewa => new EwaSampler<TReader>(store, table, reader, options, Pyramid(EwaSampler<TReader>.Margin)),
             TextureFilter.Area => new AreaSampler<TReader>(store, table, reader, options, Pyramid()),
             _ => new PictureSampler<TReader>(store, table, reader, options, filter),
         };

@@ -134,6 +134,34 @@ public sealed class EwaTests
         }
     }
 
+    [Theory]
+    [InlineData(64, 32)]
+    [InlineData(37, 21)]
+    [InlineData(5, 3)]
+    public unsafe void Sample_PictureThatRepeats_AMarginChangesNoBit(int columns, int rows)
+    {
+        // With a margin most footprints across the ends are read as if the picture went on; without one, texel by texel where they cross.
+        float[] colors = new float[4 * columns * rows];
+        for (int i = 0; i < colors.Length; i++)
+        {
+            colors[i] = i % 4 == 3 ? 1 : (float)((i * 0.6180339887498949) % 1);
+        }
+
+        TexelStore store = new(PixelBuffer.FromRgbaFloat(columns, rows, colors, TransferFunction.Linear, "test"));
+        FloatReader reader = new((float*)store.Samples);
+        SamplingOptions repeats = new() { WrapU = TextureWrap.Repeat, WrapV = TextureWrap.Repeat };
+        EwaSampler<FloatReader> Sampler(int margin) => new(store, null, reader, repeats, new MipPyramid(new ReaderRows<FloatReader>(store, null, reader), margin));
+        EwaSampler<FloatReader> bare = Sampler(0), wide = Sampler(EwaSampler<FloatReader>.Margin);
+        for (int k = 0; k < 4000; k++)
+        {
+            double Turn(double ratio) => (k * ratio) - Math.Floor(k * ratio);
+            double longer = 1.5 + (60 * Turn(0.7548776662)), shorter = longer * Turn(0.5698402910), along = Math.Tau * Turn(0.8191725134), across = Math.Tau * Turn(0.6710436067);
+            TextureFootprint footprint = new(longer * Math.Cos(along) / columns, longer * Math.Sin(along) / rows, shorter * Math.Cos(across) / columns, shorter * Math.Sin(across) / rows);
+            TextureLookup lookup = TextureLookup.At(Turn(0.6180339887), Turn(0.4142135624)) with { Footprint = footprint };
+            Assert.Equal(ScalarSampler.Sample(bare, lookup), ScalarSampler.Sample(wide, lookup));
+        }
+    }
+
     /// <summary>How much of a texel lies within a side.</summary>
     private static double Share(int texel, double center, double side) =>
         Math.Max(Math.Min(texel + 1, center + (side / 2)) - Math.Max(texel, center - (side / 2)), 0);

@@ -16,6 +16,26 @@ internal static unsafe class LaneTriples
     public static void Turn<F>(Float4* rows, out F x, out F y, out F z)
         where F : unmanaged, IReal<F>
     {
+        // Joined in registers where the width is known: a load of what several stores have just written waits for them.
+        if (typeof(F) == typeof(Float16))
+        {
+            TurnEight(rows, out Vector256<float> x0, out Vector256<float> y0, out Vector256<float> z0);
+            TurnEight(rows + Float8.Width, out Vector256<float> x1, out Vector256<float> y1, out Vector256<float> z1);
+            x = Unsafe.BitCast<Vector512<float>, F>(LaneHalves.Join(x0, x1));
+            y = Unsafe.BitCast<Vector512<float>, F>(LaneHalves.Join(y0, y1));
+            z = Unsafe.BitCast<Vector512<float>, F>(LaneHalves.Join(z0, z1));
+            return;
+        }
+
+        if (typeof(F) == typeof(Float8))
+        {
+            TurnEight(rows, out Vector256<float> x0, out Vector256<float> y0, out Vector256<float> z0);
+            x = Unsafe.BitCast<Vector256<float>, F>(x0);
+            y = Unsafe.BitCast<Vector256<float>, F>(y0);
+            z = Unsafe.BitCast<Vector256<float>, F>(z0);
+            return;
+        }
+
         F* columns = stackalloc F[3 * Math.Max(1, Float4.Width / F.Width)];
         float* column = (float*)columns;
         for (int row = 0; row < F.Width; row += Float4.Width)
@@ -24,6 +44,16 @@ internal static unsafe class LaneTriples
         }
 
         (x, y, z) = (*(F*)column, *(F*)(column + Stride<F>()), *(F*)(column + (2 * Stride<F>())));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void TurnEight(Float4* rows, out Vector256<float> x, out Vector256<float> y, out Vector256<float> z)
+    {
+        Float4.Turn(rows[0], rows[1], rows[2], rows[3], out Float4 x0, out Float4 y0, out Float4 z0);
+        Float4.Turn(rows[4], rows[5], rows[6], rows[7], out Float4 x1, out Float4 y1, out Float4 z1);
+        x = Vector256.Create(x0.Value, x1.Value);
+        y = Vector256.Create(y0.Value, y1.Value);
+        z = Vector256.Create(z0.Value, z1.Value);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
