@@ -26,7 +26,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     {
         if (_places.IsSame)
         {
-            PlaceSamples(x + _places.At(x, y, sample, 0), y + _places.At(x, y, sample, 1));
+            PlaceSamples(x, y, _places.At(x, y, sample, 0), _places.At(x, y, sample, 1));
         }
         else
         {
@@ -42,15 +42,15 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         AimSamples(x, y);
     }
 
-    /// <summary>Puts the samples at the same place in all pixels.</summary>
-    private void PlaceSamples(double startX, double startY)
+    /// <summary>Puts the samples at the same place in all pixels. Pixels are counted before that is added, so that a sample's place does not depend on the tile, to the last bit.</summary>
+    private void PlaceSamples(int x, int y, double rightwards, double downwards)
     {
-        _grid = (startX, startY);
-        R left = R.Of(startX), top = R.Of(startY);
+        _grid = (x + rightwards, y + downwards);
+        R left = R.Of(x), top = R.Of(y), right = R.Of(rightwards), down = R.Of(downwards);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
-            _sampleX[packet] = _pixelX[packet] + left;
-            _sampleY[packet] = _pixelY[packet] + top;
+            _sampleX[packet] = _pixelX[packet] + left + right;
+            _sampleY[packet] = _pixelY[packet] + top + down;
         }
     }
 

@@ -75,7 +75,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         for (int place = 0; _seams is { } seams && place < SeamMarks.Places.Count; place++)
         {
             (int dx, int dy) = SeamMarks.Places[place];
-            PlaceSamples(x + dx + 0.5, y + dy + 0.5);
+            PlaceSamples(x + dx, y + dy, 0.5, 0.5);
             AimSamples(x, y);
             _tracer.Probe(_rays, seams.Objects(place), seams.U(place));
         }

@@ -140,4 +140,21 @@ public sealed class RenderRunTests
     {
         public Intensity Sample(in TextureLookup lookup) => throw new IndexOutOfRangeException("there is no row 7");
     }
+
+    /// <summary>Samples lie at the same place whatever part of the picture is rendered, to the last bit, which the colours here show; thirds and fifths of a pixel are no binary numbers.</summary>
+    [Theory]
+    [InlineData(9, Precision.Double)]
+    [InlineData(25, Precision.Double)]
+    [InlineData(25, Precision.Single)]
+    public void Render_CropThatBeginsAnywhere_HasTheSamplesOfTheWhole(int samples, Precision precision)
+    {
+        FunctionTexture bits = new(lookup => Intensity.Grey((float)(BitConverter.DoubleToUInt64Bits(lookup.LocalPoint.X) % 1021)) + Intensity.Grey((float)(BitConverter.DoubleToUInt64Bits(lookup.LocalPoint.Z) % 1019)));
+        Scene scene = TestScenes.QuadFromAbove(TestScenes.Shining(TextureSlot.Of(bits)));
+        Picture Show(PixelRectangle? crop) => Renderer.Render(scene, new RenderOptions { Width = 80, Height = 60, Samples = samples, Precision = precision, Crop = crop }).Picture;
+        Picture whole = Show(null), part = Show(new PixelRectangle(11, 7, 50, 40));
+        for (int y = 0; y < part.Height; y++)
+        {
+            Assert.Equal(whole.Row(y + 7).Slice(11, part.Width).ToArray(), part.Row(y).ToArray());
+        }
+    }
 }
