@@ -17,13 +17,14 @@ internal sealed unsafe class BvhWide
         using LaneMemory temporary = new();
         int* firstItem = temporary.Column<int>(tree.NodeCount, 1), itemCount = temporary.Column<int>(tree.NodeCount, 1);
         CountItems(tree, firstItem, itemCount);
+        BvhCollapse collapse = new(tree, itemCount, temporary);
         List<BvhWideNode> nodes = new((tree.NodeCount / 16) + 1) { default };
         Stack<(int Binary, int Wide)> pending = [];
         pending.Push((0, 0));
         int* children = stackalloc int[BvhWideNode.Width];
         while (pending.TryPop(out (int Binary, int Wide) next))
         {
-            int count = FindChildren(tree, itemCount, next.Binary, children);
+            int count = collapse.FindChildren(next.Binary, children);
             BvhWideNode node = Empty();
             for (int i = 0; i < count; i++)
             {
@@ -61,52 +62,6 @@ internal sealed unsafe class BvhWide
             firstItem[node] = isLeaf ? binary->First : firstItem[binary->First];
             itemCount[node] = isLeaf ? binary->Count : itemCount[binary->First] + itemCount[binary->First + 1];
         }
-    }
-
-    /// <summary>Up to eight nodes that together hold the items of one: the largest is opened first.</summary>
-    private static int FindChildren(Bvh tree, int* itemCount, int parent, int* children)
-    {
-        children[0] = parent;
-        float* sizes = stackalloc float[BvhWideNode.Width];
-        sizes[0] = tree.Nodes[parent].Count > 0 ? -1 : float.PositiveInfinity;
-        int count = 1;
-        while (count < BvhWideNode.Width)
-        {
-            int largest = -1;
-            float size = -1;
-            for (int i = 0; i < count; i++)
-            {
-                if (sizes[i] > size)
-                {
-                    (largest, size) = (i, sizes[i]);
-                }
-            }
-
-            if (largest < 0)
-            {
-                break;
-            }
-
-            int opened = tree.Nodes[children[largest]].First;
-            (children[largest], sizes[largest]) = (opened, SizeOf(tree, itemCount, opened));
-            (children[count], sizes[count]) = (opened + 1, SizeOf(tree, itemCount, opened + 1));
-            count++;
-        }
-
-        return count;
-    }
-
-    /// <summary>Half the area of a node's box; -1 for what stays a leaf.</summary>
-    private static float SizeOf(Bvh tree, int* itemCount, int number)
-    {
-        if (itemCount[number] <= MostItems)
-        {
-            return -1;
-        }
-
-        BvhNode* node = tree.Nodes + number;
-        float x = node->MaxX - node->MinX, y = node->MaxY - node->MinY, z = node->MaxZ - node->MinZ;
-        return (x * y) + (y * z) + (z * x);
     }
 
     private static BvhWideNode Empty()

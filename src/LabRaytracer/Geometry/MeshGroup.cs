@@ -77,6 +77,20 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     public override void Surface(
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs)
     {
+        if (_members.Count == 1 && !isTransformed && R.Width >= Int4.Width)
+        {
+            if (R.IsSingle)
+            {
+                MeshSurfaces<Float4>.Run(_members[0].Mesh.Data, rays, hits, order, count, surfaces, needs);
+            }
+            else
+            {
+                MeshSurfaces<Double4>.Run(_members[0].Mesh.Data, rays, hits, order, count, surfaces, needs);
+            }
+
+            return;
+        }
+
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
@@ -151,24 +165,31 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         return true;
     }
 
-    /// <summary>Nearest hits of rays that are no pencil.</summary>
+    /// <summary>Nearest hits of rays that are no pencil together, but may be group by group.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void NearestEach(int member, HitBatch<R, F, I> hits, PencilLanes<R, F, I>* lanes, int packet, int count)
     {
+        (TriangleMesh mesh, _, int number) = _members[member];
         for (int k = 0; k < count; k++)
         {
-            MeshSearch.Nearest(_members[member].Mesh.Data, _trees[member], lanes[k].Ray, hits, packet + k, _members[member].Number);
+            if (!MeshPencil.Nearest(mesh.Data, _trees[member], lanes + k, 1, hits, packet + k, number))
+            {
+                MeshSearch.Nearest(mesh.Data, _trees[member], lanes[k].Ray, hits, packet + k, number);
+            }
         }
     }
 
-    /// <summary>Blocks rays that are no pencil.</summary>
+    /// <summary>Blocks rays that are no pencil together, but may be group by group.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void BlockEach(int member, RayBatch<R, F, I> rays, PencilLanes<R, F, I>* lanes, int packet, int count)
     {
+        (TriangleMesh mesh, _, int number) = _members[member];
         for (int k = 0; k < count; k++)
         {
-            I source = rays.SourceIn(packet + k, _members[member].Number);
-            MeshSearch.Block<R, F, I>(_members[member].Mesh.Data, _trees[member], lanes[k].Ray, source, ref rays.Limit[packet + k]);
+            if (!MeshPencil.Block(mesh.Data, _trees[member], lanes + k, 1, rays, packet + k, number))
+            {
+                MeshSearch.Block<R, F, I>(mesh.Data, _trees[member], lanes[k].Ray, rays.SourceIn(packet + k, number), ref rays.Limit[packet + k]);
+            }
         }
     }
 

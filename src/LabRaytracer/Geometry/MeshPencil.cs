@@ -10,15 +10,11 @@ internal static unsafe class MeshPencil
     public const int FewestRays = 4;
 
     /// <summary>Rays that are searched for together.</summary>
-    private const int RaysTogether = 16;
+    private const int RaysTogether = 64;
 
     /// <summary>Groups of lanes that are searched for together.</summary>
     public static int PacketsOf<R>()
         where R : unmanaged, IReal<R> => Math.Max(1, RaysTogether / R.Width);
-
-    /// <summary>Tells whether pencils are faster than <see cref="MeshSearch"/>: not where one group of float lanes holds all rays, as a triangle then takes no longer to test than to prepare.</summary>
-    public static bool Pays<R>()
-        where R : unmanaged, IReal<R> => !R.IsSingle || R.Width < RaysTogether;
 
     /// <summary>Keeps the nearest hits, if the rays are a pencil that starts in its apex; else false, and nothing happens.</summary>
     /// <param name="mesh">The mesh.</param>
@@ -28,17 +24,19 @@ internal static unsafe class MeshPencil
     /// <param name="hits">Receives the hits.</param>
     /// <param name="first">The first group of lanes there.</param>
     /// <param name="number">Number of the mesh's object.</param>
+    [SkipLocalsInit]
     public static bool Nearest<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, HitBatch<R, F, I> hits, int first, int number)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        if (!Pays<R>() || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, out RayPencil pencil))
+        F* parts = stackalloc F[PencilParts.Room<F>(count)];
+        if (tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, parts, out RayPencil pencil))
         {
             return false;
         }
 
-        Run(mesh, tree, pencil, lanes, count, new PencilNearest<R, F, I>(mesh, tree.Triangles, hits, first, number));
+        Run(mesh, tree, pencil, lanes, count, parts, new PencilNearest<R, F, I>(mesh, tree.Triangles, hits, first, number));
         return true;
     }
 
@@ -50,21 +48,23 @@ internal static unsafe class MeshPencil
     /// <param name="rays">The rays; limits of blocked ones become -1.</param>
     /// <param name="first">The first group of lanes there.</param>
     /// <param name="number">Number of the mesh's object.</param>
+    [SkipLocalsInit]
     public static bool Block<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, RayBatch<R, F, I> rays, int first, int number)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        if (!Pays<R>() || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, out RayPencil pencil))
+        F* parts = stackalloc F[PencilParts.Room<F>(count)];
+        if (tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, parts, out RayPencil pencil))
         {
             return false;
         }
 
-        Run(mesh, tree, pencil, lanes, count, new PencilBlock<R, F, I>(mesh, tree.Triangles, rays, first, number));
+        Run(mesh, tree, pencil, lanes, count, parts, new PencilBlock<R, F, I>(mesh, tree.Triangles, rays, first, number));
         return true;
     }
 
-    private static void Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, in TGoal goal)
+    private static void Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, F* parts, in TGoal goal)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -72,20 +72,20 @@ internal static unsafe class MeshPencil
     {
         if (mesh.Positions.Singles != null)
         {
-            Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, goal);
+            Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, parts, goal);
         }
         else if (R.IsSingle)
         {
-            Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, goal);
+            Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, parts, goal);
         }
         else
         {
-            Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, goal);
+            Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, parts, goal);
         }
     }
 
     [SkipLocalsInit]
-    private static void Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, in TGoal goal)
+    private static void Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, F* parts, in TGoal goal)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -93,7 +93,7 @@ internal static unsafe class MeshPencil
         where TGoal : struct, IPencilGoal<R, F, I>
     {
         float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
-        PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, goal);
+        PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, parts, goal);
         float limit = leaf.Start();
         PencilBoxes boxes = new(pencil, tree.Frame);
         BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);

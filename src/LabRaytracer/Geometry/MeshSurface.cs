@@ -83,22 +83,29 @@ internal static unsafe class MeshSurface
 
     /// <summary>a d - b c, within 1.5 ulp, so that slivers keep their normals.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static R Minor<R>(R a, R d, R b, R c)
+    public static R Minor<R>(R a, R d, R b, R c)
         where R : unmanaged, IReal<R>
     {
         R product = b * c;
         return R.Fma(a, d, -product) + R.Fma(-b, c, product);
     }
 
+    /// <summary>Sum of three magnitudes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static R Size<R>(R at0, R to1, R to2)
+    public static R Size<R>(R at0, R to1, R to2)
         where R : unmanaged, IReal<R> => R.Abs(at0) + R.Abs(to1) + R.Abs(to2);
 
+    /// <summary>Mask of vectors that are 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R IsZero<R>(R x, R y, R z)
+        where R : unmanaged, IReal<R> => R.Equal(x, R.Zero) & R.Equal(y, R.Zero) & R.Equal(z, R.Zero);
+
     /// <summary>A vector of length 1; the direction of a second one where the first is 0. Squares neither overflow nor vanish.</summary>
-    private static void Unit<R>(ref R x, ref R y, ref R z, in R otherX, in R otherY, in R otherZ)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Unit<R>(ref R x, ref R y, ref R z, in R otherX, in R otherY, in R otherZ)
         where R : unmanaged, IReal<R>
     {
-        R isZero = R.Equal(x, R.Zero) & R.Equal(y, R.Zero) & R.Equal(z, R.Zero);
+        R isZero = IsZero(x, y, z);
         x = R.Select(isZero, otherX, x);
         y = R.Select(isZero, otherY, y);
         z = R.Select(isZero, otherZ, z);

@@ -28,6 +28,7 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [SkipLocalsInit]
     public bool Take(ref PencilLanes<R, F, I> lanes, int packet, in PencilHits<F> found, int place)
     {
         F possible = found.PossibleBefore(lanes.Far);

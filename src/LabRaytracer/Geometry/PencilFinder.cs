@@ -11,8 +11,9 @@ internal static unsafe class PencilFinder
     /// <param name="count">How many groups.</param>
     /// <param name="mesh">Where the mesh is.</param>
     /// <param name="endsAtApex">Whether rays end in the apex, at their limits, instead of starting there.</param>
+    /// <param name="parts">Receives the bounds of the groups of lanes (<see cref="PencilParts"/>).</param>
     /// <param name="pencil">Receives apex, axis, slopes and error bounds.</param>
-    public static bool Find<R, F, I>(PencilLanes<R, F, I>* lanes, int count, in BvhFrame mesh, bool endsAtApex, out RayPencil pencil)
+    public static bool Find<R, F, I>(PencilLanes<R, F, I>* lanes, int count, in BvhFrame mesh, bool endsAtApex, F* parts, out RayPencil pencil)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -50,7 +51,7 @@ internal static unsafe class PencilFinder
             return false;
         }
 
-        Measure(lanes, count, endsAtApex, ref pencil);
+        Measure(lanes, count, endsAtApex, parts, ref pencil);
         return true;
     }
 
@@ -114,7 +115,8 @@ internal static unsafe class PencilFinder
             : (apex.Y, apex.Z, apex.X, direction.X);
 
     /// <summary>Slopes of the rays, their middle and spread. Those of a camera are upright already, those of a lamp are not.</summary>
-    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, bool isSheared, ref RayPencil pencil)
+    [SkipLocalsInit]
+    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, bool isSheared, F* parts, ref RayPencil pencil)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -129,26 +131,28 @@ internal static unsafe class PencilFinder
             }
         }
 
-        // The largest of x and -x, and of y and -y.
         pencil.Shear = isSheared ? (float)sums.Shear : 0;
-        F largestX = F.Of(-9), largestY = largestX, leastX = largestX, leastY = largestX;
+        SlopeBounds* bounds = stackalloc SlopeBounds[count];
+        SlopeBounds all = SlopeBounds.None;
         for (int packet = 0; packet < count; packet++)
         {
-            Bound(lanes + packet, pencil.Shear, ref leastX, ref largestX, ref leastY, ref largestY);
+            Bound(lanes + packet, pencil.Shear, out bounds[packet]);
+            all.Include(bounds[packet]);
         }
 
-        (double lowX, double highX, double lowY, double highY) = (-F.Largest(leastX), F.Largest(largestX), -F.Largest(leastY), F.Largest(largestY));
-        (pencil.MiddleX, pencil.MiddleY) = ((float)(0.5 * (lowX + highX)), (float)(0.5 * (lowY + highY)));
+        (pencil.MiddleX, pencil.MiddleY) = ((float)all.MiddleX, (float)all.MiddleY);
 
         // Slopes were rounded to float for the bounds, and the middle was.
         double rounding = 1.2e-7 * (1 + Math.Abs(pencil.Shear));
-        (pencil.SpreadX, pencil.SpreadY) = ((0.5 * (highX - lowX)) + rounding, (0.5 * (highY - lowY)) + rounding);
+        (pencil.SpreadX, pencil.SpreadY) = (all.SpreadX + rounding, all.SpreadY + rounding);
+        PencilParts.Clear(parts, count);
         for (int packet = 0; packet < count; packet++)
         {
             PencilLanes<R, F, I>* own = lanes + packet;
             F isOn = R.MaskToSingle(R.Less(R.Zero, own->Limit));
             own->SlopeX = R.ToSingle(own->FullX - R.Of(pencil.MiddleX)) & isOn;
             own->SlopeY = R.ToSingle(own->FullY - R.Of(pencil.MiddleY)) & isOn;
+            PencilParts.Set(parts, packet, bounds[packet], pencil, rounding);
         }
     }
 
@@ -166,18 +170,18 @@ internal static unsafe class PencilFinder
         lanes->FullY = direction[(pencil.Axis + 2) % 3] * inverse;
     }
 
-    /// <summary>Shears slopes and includes them in bounds.</summary>
+    /// <summary>Shears the slopes of a group of lanes and bounds them.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Bound<R, F, I>(PencilLanes<R, F, I>* lanes, double shear, ref F leastX, ref F largestX, ref F leastY, ref F largestY)
+    private static void Bound<R, F, I>(PencilLanes<R, F, I>* lanes, double shear, out SlopeBounds bounds)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
         lanes->FullY = R.Fma(R.Of(-shear), lanes->FullX, lanes->FullY);
-        F isOn = R.MaskToSingle(R.Less(R.Zero, lanes->Limit)), slopeX = R.ToSingle(lanes->FullX), slopeY = R.ToSingle(lanes->FullY), least = F.Of(-9);
-        largestX = F.Max(F.Select(isOn, slopeX, least), largestX);
-        largestY = F.Max(F.Select(isOn, slopeY, least), largestY);
-        leastX = F.Max(F.Select(isOn, -slopeX, least), leastX);
-        leastY = F.Max(F.Select(isOn, -slopeY, least), leastY);
+        F isOn = R.MaskToSingle(R.Less(R.Zero, lanes->Limit)), slopeX = R.ToSingle(lanes->FullX), slopeY = R.ToSingle(lanes->FullY), least = F.Of(-SlopeBounds.Above);
+        bounds.HighX = (float)F.Largest(F.Select(isOn, slopeX, least));
+        bounds.HighY = (float)F.Largest(F.Select(isOn, slopeY, least));
+        bounds.LowX = -(float)F.Largest(F.Select(isOn, -slopeX, least));
+        bounds.LowY = -(float)F.Largest(F.Select(isOn, -slopeY, least));
     }
 }

@@ -15,9 +15,10 @@ namespace LabRaytracer;
 /// <param name="triangles">Triangles in the order of the tree.</param>
 /// <param name="positions">Their vertices.</param>
 /// <param name="columns">Room for what <see cref="PencilTriangles"/> prepares.</param>
+/// <param name="parts">The bounds of its groups of lanes (<see cref="PencilParts"/>).</param>
 /// <param name="goal">What the rays look for.</param>
 internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
-    in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, MeshTriangle* triangles, P positions, float* columns, in TGoal goal) : IBvhWideLeaf
+    in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, MeshTriangle* triangles, P positions, float* columns, F* parts, in TGoal goal) : IBvhWideLeaf
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -59,12 +60,13 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     {
         bool isLowered = false;
         uint left = PencilTriangles.Prepare<R, P>(_pencil, triangles + first, number, positions, columns);
-        for (; left != 0; left &= left - 1)
+        for (int group = 0; left != 0 && group < PencilParts.Groups<F>(count); group++)
         {
-            int triangle = BitOperations.TrailingZeroCount(left);
-            for (int packet = 0; packet < count; packet++)
+            uint met = PencilParts.Meet(parts + (PencilParts.Numbers * group), columns, left, group);
+            for (; met != 0; met &= met - 1)
             {
-                isLowered |= Test(ref lanes[packet], packet, triangle, first + triangle);
+                uint pair = (uint)((group * F.Width) + BitOperations.TrailingZeroCount(met)), packet = pair / PencilTriangles.Most, triangle = pair % PencilTriangles.Most;
+                isLowered |= Test(ref lanes[packet], (int)packet, columns + triangle, first + (int)triangle);
             }
         }
 
@@ -84,7 +86,8 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool Test(ref PencilLanes<R, F, I> own, int packet, int triangle, int place)
+    [SkipLocalsInit]
+    private bool Test(ref PencilLanes<R, F, I> own, int packet, float* triangle, int place)
     {
         F edge0 = Edge(own, triangle, 0), edge1 = Edge(own, triangle, 1), edge2 = Edge(own, triangle, 2);
         F possible = F.LessOrEqual(F.Zero, F.Min(F.Min(edge0, edge1), edge2));
@@ -93,7 +96,7 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
             return false;
         }
 
-        PencilHits<F> hits = default;
+        Unsafe.SkipInit(out PencilHits<F> hits);
         hits.Possible = possible;
         hits.SumError = At(triangle, PencilTriangles.SumError);
         hits.Sum = edge0 + edge1 + edge2;
@@ -101,20 +104,22 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
         hits.Certain = F.Less(F.Zero, inside);
         hits.VolumeLow = At(triangle, PencilTriangles.VolumeLow);
         hits.VolumeHigh = At(triangle, PencilTriangles.VolumeHigh);
-        return _goal.Take(ref own, packet, hits, place);
+
+        // Without a copy, which a method of a read-only field may not need.
+        return Unsafe.AsRef(in _goal).Take(ref own, packet, hits, place);
     }
 
     /// <summary>An edge function, raised by its error bound.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private F Edge(in PencilLanes<R, F, I> own, int triangle, int edge) => F.Fma(
+    private static F Edge(in PencilLanes<R, F, I> own, float* triangle, int edge) => F.Fma(
         own.SlopeX, At(triangle, (edge * PencilTriangles.EdgeNumbers) + PencilTriangles.EdgeX),
         F.Fma(own.SlopeY, At(triangle, (edge * PencilTriangles.EdgeNumbers) + PencilTriangles.EdgeY), At(triangle, (edge * PencilTriangles.EdgeNumbers) + PencilTriangles.EdgeMiddle)));
 
     /// <summary>Twice the error bound of an edge function.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private F Error(int triangle, int edge) => At(triangle, (edge * PencilTriangles.EdgeNumbers) + PencilTriangles.EdgeError);
+    private static F Error(float* triangle, int edge) => At(triangle, (edge * PencilTriangles.EdgeNumbers) + PencilTriangles.EdgeError);
 
     /// <summary>A prepared number of a triangle, in every lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private F At(int triangle, int number) => F.Broadcast((F*)columns, (number * PencilTriangles.Most) + triangle);
+    private static F At(float* triangle, int number) => F.Broadcast((F*)triangle, number * PencilTriangles.Most);
 }

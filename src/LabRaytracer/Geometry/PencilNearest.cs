@@ -26,6 +26,7 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [SkipLocalsInit]
     public bool Take(ref PencilLanes<R, F, I> lanes, int packet, in PencilHits<F> found, int place)
     {
         F far = lanes.Far;

@@ -137,17 +137,22 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         Counters.PrimaryRays += (long)width * height * _options.Samples;
     }
 
-    /// <summary>Position of pixel number i in its tile: blocks of 4 x 4, so that a group of lanes sees neighbours in both directions.</summary>
+    /// <summary>Position of pixel number i in its tile: blocks of 4 x 4, four of them in a block of 8 x 8 and so on, so that rays that are looked at together are neighbours in both directions.</summary>
     private static (int X, int Y) Place(int i)
     {
         int block = i / (Block * Block), inside = i % (Block * Block);
-        int across = Side / Block;
-        return (((block % across) * Block) + (inside % Block), ((block / across) * Block) + (inside / Block));
+        return ((Gathered(block) * Block) + (inside % Block), (Gathered(block >> 1) * Block) + (inside / Block));
     }
 
     /// <summary>Number of the pixel at a position of its tile: the inverse of <see cref="Place"/>.</summary>
     private static int Number(int x, int y) =>
-        (((((y / Block) * (Side / Block)) + (x / Block)) * Block) + (y % Block)) * Block + (x % Block);
+        ((((Scattered(x / Block) | (Scattered(y / Block) << 1)) * Block) + (y % Block)) * Block) + (x % Block);
+
+    /// <summary>Bits 0, 2 and 4 of a number of at most six bits as a number.</summary>
+    private static int Gathered(int number) => (number & 1) | ((number >> 1) & 2) | ((number >> 2) & 4);
+
+    /// <summary>The three bits of a number as bits 0, 2 and 4.</summary>
+    private static int Scattered(int number) => (number & 1) | ((number & 2) << 1) | ((number & 4) << 2);
 
     private void TracePrimary()
     {

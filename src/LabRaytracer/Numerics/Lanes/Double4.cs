@@ -153,11 +153,16 @@ internal readonly struct Double4(Vector256<double> value) : ILane<Double4, Float
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Float4 ToSingle(Double4 a) => new(Vector128.Narrow(a.Value.GetLower(), a.Value.GetUpper()));
+    public static Float4 ToSingle(Double4 a) => new(Avx.IsSupported ? Avx.ConvertToVector128Single(a.Value) : Vector128.Narrow(a.Value.GetLower(), a.Value.GetUpper()));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double4 FromSingle(Float4 a)
     {
+        if (Avx.IsSupported)
+        {
+            return new(Avx.ConvertToVector256Double(a.Value));
+        }
+
         (Vector128<double> low, Vector128<double> high) = Vector128.Widen(a.Value);
         return new(Vector256.Create(low, high));
     }
