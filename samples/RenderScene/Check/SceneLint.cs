@@ -82,17 +82,19 @@ internal sealed class SceneLint(LoadedScene scene)
         }
 
         TextureCoordinate[] corners = [.. new[] { (0, 0), (1, 0), (0, 1), (1, 1) }.Select(corner => site.Transform.Apply(new TextureCoordinate(corner.Item1, corner.Item2)))];
-        TextureWrap wrapU = picture.Sampling.WrapU ?? site.Mapping.DefaultWrapU, wrapV = picture.Sampling.WrapV ?? site.Mapping.DefaultWrapV;
-        if (wrapU is TextureWrap.Clamp or TextureWrap.Pole && corners.Any(corner => IsOutside(corner.U)))
+        if (IsDrawnOut(picture.Sampling.WrapU, site.Mapping.DefaultWrapU) && corners.Any(corner => IsOutside(corner.U)))
         {
             Report(site, picture, "its transform leads outside [0, 1] in u, where the edge texels are drawn out; say wrapU repeat, mirror or border");
         }
 
-        if (wrapV is TextureWrap.Clamp or TextureWrap.Pole && corners.Any(corner => IsOutside(corner.V)))
+        if (IsDrawnOut(picture.Sampling.WrapV, site.Mapping.DefaultWrapV) && corners.Any(corner => IsOutside(corner.V)))
         {
             Report(site, picture, "its transform leads outside [0, 1] in v, where the edge texels are drawn out; say wrapV repeat, mirror or border");
         }
     }
+
+    /// <summary>Tells whether edge texels go on where nobody asked for it.</summary>
+    private static bool IsDrawnOut(TextureWrap? asked, TextureWrap byMapping) => asked is null && byMapping is (TextureWrap.Clamp or TextureWrap.Pole);
 
     private void CheckContent(TextureSite site, Texture picture, PictureFacts facts)
     {

@@ -4,12 +4,12 @@ using System.Text.Json.Nodes;
 namespace LabRaytracer;
 
 /// <summary>Things with names of the author's choice.</summary>
-internal sealed class MapFormat<T>(Format<T> format, Func<SceneReading, Dictionary<string, T?>> known) : Format<IReadOnlyDictionary<string, T?>>
+internal sealed class MapFormat<T>(Format<T> format, Func<SceneReading, NamedThings<T>> known) : Format<NamedThings<T>>
     where T : class
 {
     public override string Allowed => "an object { name: ..., name: ... }";
 
-    public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out IReadOnlyDictionary<string, T?> value)
+    public override bool TryRead(SceneNode node, SceneReading reading, [MaybeNullWhen(false)] out NamedThings<T> value)
     {
         value = null;
         if (node.Kind != NodeKind.Object)
@@ -18,7 +18,8 @@ internal sealed class MapFormat<T>(Format<T> format, Func<SceneReading, Dictiona
         }
 
         bool good = true;
-        Dictionary<string, T?> names = known(reading);
+        NamedThings<T> things = known(reading);
+        List<string> names = [];
         foreach ((SceneNode key, SceneNode content) in node.Members())
         {
             string name = key.Text();
@@ -27,14 +28,26 @@ internal sealed class MapFormat<T>(Format<T> format, Func<SceneReading, Dictiona
                 good = reading.Mistake(key, "a name must not be empty or start with '#', as colours do", allowed: null);
             }
 
-            reading.NameBeingRead = name;
-            good &= format.TryRead(content, reading, out T? read);
-            names[name] = read;
-            reading.NameBeingRead = "";
+            things.Add(name, () => Read(name, content, reading));
+            names.Add(name);
         }
 
-        value = names;
+        foreach (string name in names)
+        {
+            good &= things.Read(name) is not null;
+        }
+
+        value = things;
         return good;
+    }
+
+    private T? Read(string name, SceneNode content, SceneReading reading)
+    {
+        string before = reading.NameBeingRead;
+        reading.NameBeingRead = name;
+        format.TryRead(content, reading, out T? read);
+        reading.NameBeingRead = before;
+        return read;
     }
 
     public override JsonObject Schema(SchemaBuilder schema) => new()

@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 namespace LabRaytracer;
 
 /// <summary>The name of something that the file describes elsewhere.</summary>
-internal sealed class NameFormat<T>(string what, string section, Func<SceneReading, Dictionary<string, T?>> known) : Format<T>
+internal sealed class NameFormat<T>(string what, string section, Func<SceneReading, NamedThings<T>> known) : Format<T>
     where T : class
 {
     public override string Allowed => $"the name of a {what}";
@@ -18,16 +18,28 @@ internal sealed class NameFormat<T>(string what, string section, Func<SceneReadi
         }
 
         string name = node.Text();
-        Dictionary<string, T?> names = known(reading);
-        if (names.TryGetValue(name, out value))
+        NamedThings<T> things = known(reading);
+        if (things.FindCircle(name) is { } circle)
         {
-            // A thing with a mistake in it was reported where it is described.
-            return value is not null;
+            return reading.Mistake(node, $"the {what} {Wording.Quote(name)} needs itself: {circle}", AllowedNames(things));
         }
 
-        string allowed = names.Count == 0 ? $"names in '{section}', which is empty" : Wording.List(names.Keys);
-        return reading.Mistake(node, $"there is no {what} {Wording.Quote(name)}{Wording.Suggestion(name, names.Keys)}", allowed);
+        if (!things.Has(name))
+        {
+            return reading.Mistake(node, $"there is no {what} {Wording.Quote(name)}{Wording.Suggestion(name, things.Usable)}", AllowedNames(things));
+        }
+
+        if (things.IsTooDeep)
+        {
+            return reading.Mistake(node, "too many names need each other", $"{NamedThings<T>.MostNested} in a row, more where each stands above the one that needs it");
+        }
+
+        // A thing with a mistake in it was reported where it is described.
+        value = things.Read(name);
+        return value is not null;
     }
+
+    private string AllowedNames(NamedThings<T> things) => things.Usable.Any() ? Wording.List(things.Usable) : $"names in '{section}', which {(things.IsEmpty ? "is empty" : "has no other")}";
 
     public override JsonObject Schema(SchemaBuilder schema) => new() { ["type"] = "string" };
 }

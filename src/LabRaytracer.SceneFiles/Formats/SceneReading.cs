@@ -20,11 +20,11 @@ internal sealed class SceneReading(SceneTree tree, SceneFolder folder)
     /// <summary>Name of the texture or material that is being read; empty for one without.</summary>
     public string NameBeingRead { get; set; } = "";
 
-    /// <summary>Textures by name; null for one with a mistake in it.</summary>
-    public Dictionary<string, ITexture?> Textures { get; } = new(StringComparer.Ordinal);
+    /// <summary>Textures by name.</summary>
+    public NamedThings<ITexture> Textures { get; } = new();
 
-    /// <summary>Materials by name; null for one with a mistake in it.</summary>
-    public Dictionary<string, Material?> Materials { get; } = new(StringComparer.Ordinal);
+    /// <summary>Materials by name.</summary>
+    public NamedThings<Material> Materials { get; } = new();
 
     /// <summary>The background, once it is read.</summary>
     public TextureSlot Background { get; set; } = Intensity.Black;

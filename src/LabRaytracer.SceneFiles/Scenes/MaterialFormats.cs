@@ -58,7 +58,7 @@ internal static class MaterialFormats
     private static readonly Key<Material> s_inside = Key.Optional(
         "inside",
         new NameFormat<Material>("material", "materials", reading => reading.Materials),
-        "Name of a material above this one, for the side that normals point away from. Default: this one.");
+        "Name of another material, for the side that normals point away from. Default: this one.");
 
     private static readonly ObjectFormat<Material> s_inline = new(
         "material",

@@ -19,9 +19,9 @@ internal static class RootFormat
         new KeptFormat<Transform>(TransformFormats.Any, (reading, rotation) => reading.BackgroundRotation = rotation),
         "Turns the background: steps with rotateDegrees. Default: none.");
 
-    private static readonly Key<IReadOnlyDictionary<string, ITexture?>> s_textures = Key.Optional("textures", TextureFormats.Map, "Textures by names of your choice.");
+    private static readonly Key<NamedThings<ITexture>> s_textures = Key.Optional("textures", TextureFormats.Map, "Textures by names of your choice.");
 
-    private static readonly Key<IReadOnlyDictionary<string, Material?>> s_materials = Key.Optional("materials", MaterialFormats.Map, "Materials by names of your choice.");
+    private static readonly Key<NamedThings<Material>> s_materials = Key.Optional("materials", MaterialFormats.Map, "Materials by names of your choice.");
 
     private static readonly Key<IReadOnlyList<SceneObject[]>> s_objects = Key.Optional(
         "objects", new ListFormat<SceneObject[]>(ObjectFormats.Any, "objects"), "The objects.");
@@ -58,10 +58,6 @@ internal static class RootFormat
             scene.Lights.Add(light);
         }
 
-        return new LoadedScene(scene, fields.Find(s_render) ?? new RenderOptions(), fields.Find(s_output) ?? SceneOutput.Default, Named(fields.Reading), fields.Reading.SourceMap);
+        return new LoadedScene(scene, fields.Find(s_render) ?? new RenderOptions(), fields.Find(s_output) ?? SceneOutput.Default, new Dictionary<string, ITexture>(fields.Reading.Textures.Good, StringComparer.Ordinal), fields.Reading.SourceMap);
     }
-
-    /// <summary>The named textures without those that have a mistake, which the scene is refused for.</summary>
-    private static Dictionary<string, ITexture> Named(SceneReading reading) =>
-        reading.Textures.Where(named => named.Value is not null).ToDictionary(named => named.Key, named => named.Value!, StringComparer.Ordinal);
 }

@@ -20,6 +20,9 @@ internal static class TextureFormats
     private static readonly Key<TextureWrap> s_wrapV = Key.Optional(
         "wrapV", ChoiceFormat.Of<TextureWrap>(), "What lies outside 0 to 1 in v. Default: as the mapping suggests.");
 
+    private static readonly Key<Intensity> s_borderColor = Key.Optional(
+        "borderColor", Colors.Any, Intensity.Black, "What a wrap of \"border\" shows outside the picture, linear; alpha is 0 there, so that layers show what is below.");
+
     private static readonly Key<ColorSpace> s_colorSpace = Key.Optional(
         "colorSpace", ChoiceFormat.Of<ColorSpace>(), ColorSpace.Auto, "How numbers of the file become linear light; auto: what the file says for colours, as they are for data.");
 
@@ -55,7 +58,7 @@ internal static class TextureFormats
         "type",
         "A texture: a colour for every point of a surface.",
         [
-            new("imageTexture", "A picture file.", [s_file, s_filter, s_texels, s_wrapU, s_wrapV, s_colorSpace], Open, ("type", "image")),
+            new("imageTexture", "A picture file.", [s_file, s_filter, s_texels, s_wrapU, s_wrapV, s_borderColor, s_colorSpace], Open, ("type", "image")),
             new("constantTexture", "The same colour everywhere.", [s_color], fields => new ConstantTexture(fields.Get(s_color)), ("type", "constant")),
             new("checkerTexture", "A checkerboard.", [s_even, s_odd, s_columns, s_rows, s_space, s_lineWidth, s_line, s_patternFilter], Checker, ("type", "checker")),
             new("gridTexture", "The numbered test grid of the lab sheet.", [s_gridColumns, s_gridRows, s_gridLine, s_patternFilter], Grid, ("type", "grid")),
@@ -80,6 +83,7 @@ internal static class TextureFormats
             Texels = fields.Get(s_texels),
             WrapU = fields.Has(s_wrapU) ? fields.Get(s_wrapU) : null,
             WrapV = fields.Has(s_wrapV) ? fields.Get(s_wrapV) : null,
+            BorderColor = fields.Get(s_borderColor),
             ColorSpace = fields.Get(s_colorSpace),
         });
         fields.Reading.Note(texture, file.Node);

@@ -12,7 +12,7 @@ public enum TextureWrap
     /// <summary>The picture is repeated, every second one mirrored.</summary>
     Mirror,
 
-    /// <summary>Nothing outside the picture: black, with alpha 0, so that in layers what is below shows, such as another colour.</summary>
+    /// <summary>Nothing outside the picture: the border colour (<see cref="SamplingOptions.BorderColor"/>, black by default), with alpha 0, so that in layers what is below shows.</summary>
     Border,
 
     /// <summary>

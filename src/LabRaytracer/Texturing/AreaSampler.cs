@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <remarks>
 /// The parallelogram is cut along the lines between texel centres; inside each cell the picture is a polynomial, whose integral over the polygon is known in closed form.
 /// In doubles, one sample after the other. Footprints that touch more than <see cref="MostCells"/> cells are integrated over the first level of the pyramid on which they
-/// do not, whose texels are exact means themselves.
+/// do not, whose texels are exact means themselves; those that are larger still, or no numbers, see the mean of the whole picture.
 /// </remarks>
 internal sealed unsafe class AreaSampler<TReader>(
     TexelStore store, float[]? table, TReader reader, SamplingOptions options, MipPyramid pyramid) : MipSampler<TReader>(store, table, reader, options, pyramid)
@@ -35,16 +35,20 @@ internal sealed unsafe class AreaSampler<TReader>(
     private Intensity Mean(in TextureFootprint footprint, in TexelAxis across, in TexelAxis up, double u, double v)
     {
         int level = 0;
-        while (level < Pyramid.LevelCount - 1 && (footprint.ExtentU * Pyramid.Widths[level] + 2) * (footprint.ExtentV * Pyramid.Heights[level] + 2) > MostCells)
+        while (level < Pyramid.LevelCount - 1 && !((footprint.ExtentU * Pyramid.Widths[level] + 2) * (footprint.ExtentV * Pyramid.Heights[level] + 2) <= MostCells))
         {
             level++;
         }
 
         Pyramid.Require(level, Threads);
         int width = Pyramid.Widths[level], height = Pyramid.Heights[level];
+        if (width == 1 && height == 1)
+        {
+            return Texel(level, 0, 0, across.Wrap, up.Wrap);
+        }
+
         FootprintArea area = new((u * width) - 0.5, (v * height) - 0.5, footprint, width, height);
-        (TextureWrap wrapU, TextureWrap wrapV) = (across.Wrap, up.Wrap);
-        return area.Mean((x, y) => Texel(level, x, y, wrapU, wrapV));
+        return area.Mean(new Texels(this, level, across.Wrap, up.Wrap));
     }
 
     private Intensity Texel(int level, int x, int y, TextureWrap wrapU, TextureWrap wrapV)
@@ -60,5 +64,18 @@ internal sealed unsafe class AreaSampler<TReader>(
 
         Reader.Read(new Int1(Start - (y * width) + x), out Float1 red, out Float1 green, out Float1 blue);
         return new Intensity(red.Value, green.Value, blue.Value);
+    }
+
+    /// <summary>The texels of a level.</summary>
+    private readonly struct Texels(AreaSampler<TReader> sampler, int level, TextureWrap wrapU, TextureWrap wrapV) : IAreaTexels
+    {
+        public int Period => wrapU switch
+        {
+            TextureWrap.Repeat => sampler.Pyramid.Widths[level],
+            TextureWrap.Mirror => 2 * sampler.Pyramid.Widths[level],
+            _ => int.MaxValue,
+        };
+
+        public Intensity At(int column, int row) => sampler.Texel(level, column, row, wrapU, wrapV);
     }
 }

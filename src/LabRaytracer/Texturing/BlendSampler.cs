@@ -9,6 +9,8 @@ namespace LabRaytracer;
 /// <param name="threshold">Luminance from which the weight is 1, below it 0; null: the weight is the luminance itself.</param>
 internal sealed unsafe class BlendSampler(TextureSampler first, TextureSampler second, TextureSampler weight, float? threshold) : TextureSampler
 {
+    protected override IReadOnlyList<TextureSampler> Sources => [first, second, weight];
+
     /// <summary>The colour at one point, with the same bits.</summary>
     public static Intensity Blend(ITexture first, ITexture second, Intensity weight, float? threshold, in TextureLookup lookup)
     {

@@ -1,11 +1,16 @@
 namespace LabRaytracer;
 
 /// <summary>A small convex polygon that can be cut to a strip one texel wide.</summary>
-internal readonly struct ClippedPolygon
+/// <param name="corners">Its corners, one after the other.</param>
+internal readonly ref struct ClippedPolygon(ReadOnlySpan<(double X, double Y)> corners)
 {
-    private readonly (double X, double Y)[] _corners;
+    /// <summary>How many corners more a polygon can have once it is cut to a strip.</summary>
+    public const int MoreCorners = 4;
 
-    public ClippedPolygon(ReadOnlySpan<(double X, double Y)> corners) => _corners = corners.ToArray();
+    /// <summary>A corner so near to a line lies on it.</summary>
+    private const double Near = 1e-9;
+
+    private readonly ReadOnlySpan<(double X, double Y)> _corners = corners;
 
     /// <summary>Least and largest coordinate; an empty range without corners.</summary>
     public (double Low, double High) Range(bool isY)
@@ -20,13 +25,32 @@ internal readonly struct ClippedPolygon
         return low <= high ? (low, high) : (0, 0);
     }
 
-    /// <summary>The part with a coordinate in [start, start + 1].</summary>
-    public ClippedPolygon Cut(int start, bool isY)
+    /// <summary>Where along a line across the rows the polygon lies; an empty range, with its ends exchanged, where it does not touch the line.</summary>
+    public (double Left, double Right) At(double y)
     {
-        Span<(double X, double Y)> once = stackalloc (double, double)[_corners.Length + 2], twice = stackalloc (double, double)[_corners.Length + 4];
+        double left = double.PositiveInfinity, right = double.NegativeInfinity;
+        foreach ((double X, double Y) corner in _corners)
+        {
+            if (Math.Abs(corner.Y - y) < Near)
+            {
+                left = Math.Min(left, corner.X);
+                right = Math.Max(right, corner.X);
+            }
+        }
+
+        return (left, right);
+    }
+
+    /// <summary>The part with a coordinate in [start, start + 1].</summary>
+    /// <param name="start">Where the strip begins.</param>
+    /// <param name="isY">Whether the coordinate is y.</param>
+    /// <param name="memory">Receives the corners: <see cref="MoreCorners"/> more than there are.</param>
+    public ClippedPolygon Cut(int start, bool isY, Span<(double X, double Y)> memory)
+    {
+        Span<(double X, double Y)> once = stackalloc (double, double)[_corners.Length + (MoreCorners / 2)];
         int count = Cut(_corners, once, start, 1, isY);
-        count = Cut(once[..count], twice, -(start + 1), -1, isY);
-        return new ClippedPolygon(twice[..count]);
+        count = Cut(once[..count], memory, -(start + 1), -1, isY);
+        return new ClippedPolygon(memory[..count]);
     }
 
     /// <summary>Integrals of 1, x, y and x y over the polygon, x and y from a corner of its cell.</summary>

@@ -26,11 +26,18 @@ internal readonly struct FootprintArea
             double toUnit = LeastWidth / Math.Sqrt((_ax * _ax) + (_ay * _ay));
             (_bx, _by) = (_bx - (_ay * toUnit), _by + (_ax * toUnit));
         }
+
+        if ((_ax * _by) - (_ay * _bx) < 0)
+        {
+            // Corners go round counter-clockwise, so that areas are above 0.
+            (_ax, _ay, _bx, _by) = (_bx, _by, _ax, _ay);
+        }
     }
 
     /// <summary>The mean of a bilinear picture.</summary>
-    /// <param name="texel">Colour of the texel at a column and a row, anywhere.</param>
-    public Intensity Mean(Func<int, int, Intensity> texel)
+    /// <param name="texels">The texels.</param>
+    public Intensity Mean<TTexels>(in TTexels texels)
+        where TTexels : struct, IAreaTexels
     {
         Span<(double X, double Y)> corners =
         [
@@ -38,25 +45,33 @@ internal readonly struct FootprintArea
             (_x + (0.5 * (_ax + _bx)), _y + (0.5 * (_ay + _by))), (_x - (0.5 * (_ax - _bx)), _y - (0.5 * (_ay - _by))),
         ];
         ClippedPolygon whole = new(corners);
+        Span<(double X, double Y)> stripCorners = stackalloc (double, double)[4 + ClippedPolygon.MoreCorners];
+        Span<(double X, double Y)> cellCorners = stackalloc (double, double)[4 + (2 * ClippedPolygon.MoreCorners)];
         (double low, double high) = whole.Range(isY: true);
-        double red = 0, green = 0, blue = 0, area = 0;
+        ColorSum sum = default;
         for (int row = (int)Math.Floor(low); row < high; row++)
         {
-            ClippedPolygon strip = whole.Cut(row, isY: true);
+            ClippedPolygon strip = whole.Cut(row, isY: true, stripCorners);
             (double left, double right) = strip.Range(isY: false);
+            (int first, int end) = WholeCells(strip, row);
+            sum.AddCells(texels, row, first, end);
             for (int column = (int)Math.Floor(left); column < right; column++)
             {
-                (double one, double x, double y, double xy) = strip.Cut(column, isY: false).Moments(column, row);
-                (double w00, double w10, double w01, double w11) = (one - x - y + xy, x - xy, y - xy, xy);
-                (Intensity c00, Intensity c10, Intensity c01, Intensity c11) = (texel(column, row), texel(column + 1, row), texel(column, row + 1), texel(column + 1, row + 1));
-                red += (w00 * c00.R) + (w10 * c10.R) + (w01 * c01.R) + (w11 * c11.R);
-                green += (w00 * c00.G) + (w10 * c10.G) + (w01 * c01.G) + (w11 * c11.G);
-                blue += (w00 * c00.B) + (w10 * c10.B) + (w01 * c01.B) + (w11 * c11.B);
-                area += one;
+                column = column == first ? end : column;
+                sum.AddPart(texels, row, column, strip.Cut(column, isY: false, cellCorners).Moments(column, row));
             }
         }
 
-        return new Intensity((float)(red / area), (float)(green / area), (float)(blue / area));
+        return sum.Mean;
+    }
+
+    /// <summary>The cells of a row that lie wholly inside: of a convex polygon, those inside of where it meets the lines below and above the row.</summary>
+    private static (int First, int End) WholeCells(ClippedPolygon strip, int row)
+    {
+        (double left0, double right0) = strip.At(row);
+        (double left1, double right1) = strip.At(row + 1.0);
+        double first = Math.Ceiling(Math.Max(left0, left1)), end = Math.Floor(Math.Min(right0, right1));
+        return first < end ? ((int)first, (int)end) : (int.MaxValue, int.MaxValue);
     }
 
     /// <summary>Gives a side without length the least one, along a direction or, if that has none either, along an axis.</summary>
@@ -66,6 +81,56 @@ internal readonly struct FootprintArea
         if (square < LeastWidth * LeastWidth)
         {
             (x, y) = along > 0 ? (alongX / along * LeastWidth, alongY / along * LeastWidth) : (LeastWidth, 0);
+        }
+    }
+
+    /// <summary>The integral of a bilinear picture over cells and parts of them.</summary>
+    private struct ColorSum
+    {
+        private double _red, _green, _blue, _area;
+
+        /// <summary>The mean over what was added.</summary>
+        public readonly Intensity Mean => new((float)(_red / _area), (float)(_green / _area), (float)(_blue / _area));
+
+        /// <summary>Adds whole cells of a row, over each of which the mean is that of its four texels.</summary>
+        public void AddCells<TTexels>(in TTexels texels, int row, int first, int end)
+            where TTexels : struct, IAreaTexels
+        {
+            // Of the periods of a picture that is repeated, one stands for all.
+            int periods = (end - first) / texels.Period, start = first + (periods * texels.Period);
+            AddRun(texels, row, first, periods > 0 ? first + texels.Period : first, periods);
+            AddRun(texels, row, start, end, 1);
+            _area += end - first;
+        }
+
+        private void AddRun<TTexels>(in TTexels texels, int row, int first, int end, int times)
+            where TTexels : struct, IAreaTexels
+        {
+            for (int column = first; column <= end && first < end; column++)
+            {
+                double weight = column == first || column == end ? 0.25 * times : 0.5 * times;
+                Add(texels.At(column, row), weight);
+                Add(texels.At(column, row + 1), weight);
+            }
+        }
+
+        /// <summary>Adds a part of a cell, told by its integrals of 1, x, y and x y.</summary>
+        public void AddPart<TTexels>(in TTexels texels, int row, int column, (double One, double X, double Y, double XY) moments)
+            where TTexels : struct, IAreaTexels
+        {
+            (double one, double x, double y, double xy) = moments;
+            Add(texels.At(column, row), one - x - y + xy);
+            Add(texels.At(column + 1, row), x - xy);
+            Add(texels.At(column, row + 1), y - xy);
+            Add(texels.At(column + 1, row + 1), xy);
+            _area += one;
+        }
+
+        private void Add(Intensity color, double weight)
+        {
+            _red += weight * color.R;
+            _green += weight * color.G;
+            _blue += weight * color.B;
         }
     }
 }

@@ -13,6 +13,13 @@ internal static unsafe class PictureSamplers
     /// <param name="filter">Filter, overrides the options' one.</param>
     public static TextureSampler Create(TexelStore store, TextureUse use, SamplingOptions options, TextureFilter filter)
     {
+        TextureSampler sampler = Inside(store, use, options, filter);
+        return use is TextureUse.Color or TextureUse.Data && options.BorderColor != Intensity.Black ? new BorderSampler(sampler, options) : sampler;
+    }
+
+    /// <summary>The sampler of a store, black outside of a border.</summary>
+    private static TextureSampler Inside(TexelStore store, TextureUse use, SamplingOptions options, TextureFilter filter)
+    {
         switch (use)
         {
             case TextureUse.Alpha:

@@ -35,6 +35,8 @@ public sealed class ProductTexture : IPreparedTexture
     /// <summary>The product, many points at a time.</summary>
     private sealed unsafe class Sampler(TextureSampler first, TextureSampler second) : TextureSampler
     {
+        protected override IReadOnlyList<TextureSampler> Sources => [first, second];
+
         public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
         {
             F* memory = stackalloc F[3 * TextureParts.Chunk];

@@ -31,6 +31,8 @@ public sealed class RampTexture : IPreparedTexture
     /// <summary>The colours, many points at a time.</summary>
     private sealed unsafe class Sampler(TextureSampler source, ColorRamp ramp) : TextureSampler
     {
+        protected override IReadOnlyList<TextureSampler> Sources => [source];
+
         public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
         {
             source.Sample<R, F, I>(lookups, colors, packets);

@@ -44,6 +44,10 @@ public sealed class SamplingOptions
         init => _wrapV = value is { } wrap ? PropertyChecks.Known(wrap) : null;
     }
 
+    /// <summary>What a wrap of <see cref="TextureWrap.Border"/> shows outside the picture: linear light in colour slots, numbers as they are in data slots. Default: black.</summary>
+    /// <remarks>The alpha there is 0 whatever the colour, so that layers show what is below them. Slopes of a height map do not see it.</remarks>
+    public Intensity BorderColor { get; init; } = Intensity.Black;
+
     /// <summary>How numbers become linear colour. Default: automatic.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Not a value of the enumeration.</exception>
     public ColorSpace ColorSpace { get; init => field = PropertyChecks.Known(value); } = ColorSpace.Auto;
@@ -51,6 +55,6 @@ public sealed class SamplingOptions
     /// <summary>The same options with another filter.</summary>
     public SamplingOptions With(TextureFilter filter) => new()
     {
-        Filter = filter, Texels = Texels, WrapU = WrapU, WrapV = WrapV, ColorSpace = ColorSpace,
+        Filter = filter, Texels = Texels, WrapU = WrapU, WrapV = WrapV, BorderColor = BorderColor, ColorSpace = ColorSpace,
     };
 }

@@ -9,6 +9,8 @@ namespace LabRaytracer;
 /// <param name="space">What they are derivatives by.</param>
 internal sealed unsafe class SlopeSampler(TextureSampler heights, TextureChannel channel, SlopeSpace space) : TextureSampler
 {
+    protected override IReadOnlyList<TextureSampler> Sources => [heights];
+
     /// <summary>The step to either side, texture, local or scene units: fine enough for a thousand details, coarse enough for heights in float.</summary>
     public const double Step = 1.0 / 2048;
 

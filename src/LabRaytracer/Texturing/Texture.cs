@@ -69,7 +69,7 @@ public sealed class Texture : IPreparedTexture
     /// so that the sheet's y_p = (v_res - 1) v holds as written.
     /// </summary>
     /// <remarks>The first read of a loaded texture builds the array; from its first edit on the array is what is rendered, in data slots too.</remarks>
-    public Intensity[,] ColorMap => _colorMap ??= BuildColorMap(Texels, DecodeTable(Texels, isData: false));
+    public Intensity[,] ColorMap => _colorMap ??= ColorMapTexels.Unpack(Texels, DecodeTable(Texels, isData: false));
 
     /// <summary>How the texture is looked up. Default: bilinear between texel centres, wrap as the mapping suggests.</summary>
     public SamplingOptions Sampling
@@ -181,7 +181,7 @@ public sealed class Texture : IPreparedTexture
         if (Sampling.Filter == TextureFilter.Nearest)
         {
             Double1 off = across.Nearest<Double1, Float1, Int1>(u, out Int1 x) | up.Nearest<Double1, Float1, Int1>(v, out Int1 y);
-            return Double1.Any(off) ? Intensity.Black : Texel(x.Value, y.Value, use);
+            return Double1.Any(off) ? Outside(use) : Texel(x.Value, y.Value, use);
         }
 
         if (Sampling.Filter is TextureFilter.CatmullRom or TextureFilter.BSpline)
@@ -192,15 +192,15 @@ public sealed class Texture : IPreparedTexture
         Double1 outside = across.Between<Double1, Float1, Int1>(u, out Int1 x0, out Int1 x1, out Float1 right) | up.Between<Double1, Float1, Int1>(v, out Int1 y0, out Int1 y1, out Float1 above);
         Intensity below = Between(Texel(x0.Value, y0.Value, use), Texel(x1.Value, y0.Value, use), right.Value);
         Intensity top = Between(Texel(x0.Value, y1.Value, use), Texel(x1.Value, y1.Value, use), right.Value);
-        return Double1.Any(outside) ? Intensity.Black : Between(below, top, above.Value);
+        return Double1.Any(outside) ? Outside(use) : Between(below, top, above.Value);
     }
 
     TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
-        PictureSamplers.Create(IsAsLoaded() ? _file!.Texels(filter ?? Sampling.Filter) : Pack(_colorMap!), use, Sampling, filter ?? Sampling.Filter);
+        PictureSamplers.Create(IsAsLoaded() ? _file!.Texels(filter ?? Sampling.Filter) : ColorMapTexels.Pack(_colorMap!, AlphaAt), use, Sampling, filter ?? Sampling.Filter);
 
     TextureSampler IPreparedTexture.PrepareSlopes(TextureChannel channel, TextureWrap wrapU, TextureWrap wrapV, TextureFilter? filter)
     {
-        TexelStore slopes = SlopePicture.Create(IsAsLoaded() ? Texels : Pack(_colorMap!), channel, Sampling, wrapU, wrapV);
+        TexelStore slopes = SlopePicture.Create(IsAsLoaded() ? Texels : ColorMapTexels.Pack(_colorMap!, AlphaAt), channel, Sampling, wrapU, wrapV);
         return PictureSamplers.Create(slopes, TextureUse.Data, Sampling, filter ?? Sampling.Filter);
     }
 
@@ -239,6 +239,9 @@ public sealed class Texture : IPreparedTexture
 
     private float AlphaAt(int x, int y) => _alphaMap is not null ? _alphaMap[x, y] : _file is null ? 1 : Texels.Alpha(x, y);
 
+    /// <summary>What lies beyond a border; nothing is there of the alpha.</summary>
+    private Intensity Outside(TextureUse use) => use == TextureUse.Alpha ? Intensity.Black : Sampling.BorderColor;
+
     /// <summary>The mean of 4 x 4 texels; in colour slots.</summary>
     private Intensity Bicubic(in TexelAxis across, in TexelAxis up, Double1 u, Double1 v, TextureUse use)
     {
@@ -246,45 +249,13 @@ public sealed class Texture : IPreparedTexture
         ScalarTexelReader reader = new((x, y) => Texel(x, y, use), Width, Height);
         BicubicKernel<ScalarTexelReader> kernel = new(reader, reader.Start, Width, BicubicKernel<ScalarTexelReader>.Bounds(Sampling.Filter, isData: false));
         kernel.Mean(columns, rows, out CubicColor<Float1> mean);
-        return Double1.Any(outside) ? Intensity.Black : new Intensity(mean.R.Value, mean.G.Value, mean.B.Value);
+        return Double1.Any(outside) ? Outside(use) : new Intensity(mean.R.Value, mean.G.Value, mean.B.Value);
     }
 
     private static Intensity Between(Intensity a, Intensity b, float weight) => new(
         MathF.FusedMultiplyAdd(weight, b.R - a.R, a.R),
         MathF.FusedMultiplyAdd(weight, b.G - a.G, a.G),
         MathF.FusedMultiplyAdd(weight, b.B - a.B, a.B));
-
-    private static Intensity[,] BuildColorMap(TexelStore store, ReadOnlySpan<float> table)
-    {
-        Intensity[,] colorMap = new Intensity[store.Width, store.Height];
-        for (int y = 0; y < store.Height; y++)
-        {
-            for (int x = 0; x < store.Width; x++)
-            {
-                colorMap[x, y] = store.Color(table, x, y);
-            }
-        }
-
-        return colorMap;
-    }
-
-    /// <summary>The array as packed floats, row 0 on top.</summary>
-    private TexelStore Pack(Intensity[,] colorMap)
-    {
-        int width = colorMap.GetLength(0), height = colorMap.GetLength(1);
-        float[] samples = new float[4 * width * height];
-        for (int x = 0; x < width; x++)
-        {
-            for (int y = 0; y < height; y++)
-            {
-                Intensity color = colorMap[x, y];
-                int at = 4 * (((height - 1 - y) * width) + x);
-                (samples[at], samples[at + 1], samples[at + 2], samples[at + 3]) = (color.R, color.G, color.B, AlphaAt(x, y));
-            }
-        }
-
-        return new TexelStore(PixelBuffer.FromRgbaFloat(width, height, samples, TransferFunction.Linear, "ColorMap"));
-    }
 
     private static void CheckSide(int side, string name)
     {

@@ -10,7 +10,7 @@ internal sealed class TexturePreparation(TextureFilter? filter)
     private int _threads = 1;
 
     /// <summary>Lookups whose footprint was too long for its width.</summary>
-    public long Fallbacks => _samplers.Values.Sum(sampler => sampler.Fallbacks);
+    public long Fallbacks => _samplers.Values.Concat(_slopes.Values).Sum(sampler => sampler.Fallbacks);
 
     /// <summary>Number of textures made ready.</summary>
     public int Count => _samplers.Count;
@@ -67,6 +67,7 @@ internal sealed class TexturePreparation(TextureFilter? filter)
             sampler = texture is IPreparedTexture prepared
                 ? prepared.PrepareSlopes(channel, mapping.DefaultWrapU, mapping.DefaultWrapV, filter)
                 : new SlopeSampler(new CustomSampler(texture, use), channel, SlopeSampler.SpaceOf(texture));
+            sampler.Threads = _threads;
             _slopes[key] = sampler;
         }
 

@@ -5,11 +5,25 @@ internal abstract unsafe class TextureSampler
 {
     private long _fallbacks;
 
-    /// <summary>Threads that may build what lookups need, at least 1.</summary>
-    public int Threads { get; set; } = 1;
+    /// <summary>Threads that may build what lookups need, here and in the sources, at least 1.</summary>
+    public int Threads
+    {
+        get;
+        set
+        {
+            field = value;
+            foreach (TextureSampler source in Sources)
+            {
+                source.Threads = value;
+            }
+        }
+    } = 1;
 
-    /// <summary>Lookups so far whose footprint was too long for its width: they were filtered too softly.</summary>
-    public long Fallbacks => Volatile.Read(ref _fallbacks);
+    /// <summary>Lookups so far, here and in the sources, whose footprint was too long for its width: they were filtered too softly.</summary>
+    public long Fallbacks => Volatile.Read(ref _fallbacks) + Sources.Sum(source => source.Fallbacks);
+
+    /// <summary>The samplers that this one looks up, which are its own.</summary>
+    protected virtual IReadOnlyList<TextureSampler> Sources => [];
 
     /// <summary>Counts such lookups.</summary>
     protected void CountFallbacks(int count) => Interlocked.Add(ref _fallbacks, count);

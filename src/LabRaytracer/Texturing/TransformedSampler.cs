@@ -5,6 +5,8 @@ namespace LabRaytracer;
 /// <summary>Looks up a transformed texture, many points at a time.</summary>
 internal sealed unsafe class TransformedSampler(TransformedTexture texture, TextureSampler source, bool movesPoints, bool movesCoordinates) : TextureSampler
 {
+    protected override IReadOnlyList<TextureSampler> Sources => [source];
+
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
     {
         const int chunk = TextureParts.Chunk;

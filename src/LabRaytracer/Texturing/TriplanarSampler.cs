@@ -3,6 +3,8 @@ namespace LabRaytracer;
 /// <summary>Looks up a triplanar texture, many points at a time.</summary>
 internal sealed unsafe class TriplanarSampler(TriplanarTexture texture, TextureSampler source) : TextureSampler
 {
+    protected override IReadOnlyList<TextureSampler> Sources => [source];
+
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets)
     {
         const int chunk = TextureParts.Chunk;

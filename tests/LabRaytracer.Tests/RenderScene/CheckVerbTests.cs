@@ -8,7 +8,7 @@ public sealed class CheckVerbTests
     [Fact]
     public void Check_ScenesOfTheFolder_HasNothingToSay()
     {
-        foreach (string name in new[] { "06-earth.json", "21-opacity.json", "22-bump.json", "24-occlusion-light-map.json" })
+        foreach (string name in new[] { "06-earth.json", "21-opacity.json", "22-bump.json", "24-occlusion-light-map.json", "50-wraps.json" })
         {
             Assert.Equal(new ProgramRun(ExitCode.Done, "nothing found\n", ""), ProgramRun.Of("check", SampleScenes.File(name)));
         }

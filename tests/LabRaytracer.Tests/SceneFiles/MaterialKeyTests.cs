@@ -62,11 +62,13 @@ public sealed class MaterialKeyTests
         Assert.Equal((1, 0.5), (right.U, right.V));
     }
 
-    [Fact]
-    public void Read_Inside_IsAMaterialAbove()
+    [Theory]
+    [InlineData("""{ "materials": { "a": { "diffuse": 0.25 }, "b": { "inside": "a" } }, "objects": [{ "shape": "sphere", "material": "b" }] }""")]
+    [InlineData("""{ "materials": { "b": { "inside": "a" }, "a": { "diffuse": 0.25 } }, "objects": [{ "shape": "sphere", "material": "b" }] }""")]
+    public void Read_Inside_IsAMaterialAboveOrBelow(string json)
     {
-        LoadedScene loaded = SceneText.Read("""{ "materials": { "a": { "diffuse": 0.25 }, "b": { "inside": "a" } }, "objects": [{ "shape": "sphere", "material": "b" }] }""");
-        Assert.Equal("a", loaded.Scene.Objects[0].Material.Inside!.Name);
+        Material material = SceneText.Read(json).Scene.Objects[0].Material;
+        Assert.Equal(("b", "a", new Intensity(0.25f, 0.25f, 0.25f)), (material.Name, material.Inside!.Name, material.Inside.Diffuse.Value));
     }
 
     [Theory]
@@ -76,7 +78,8 @@ public sealed class MaterialKeyTests
     [InlineData("""{"materials": {"m": {"lightMapMode": "ad"}}}""", "1:38: materials.m.lightMapMode: unknown word 'ad', did you mean 'add'; allowed: add, replace")]
     [InlineData("""{"materials": {"m": {"normalMap": 3}}}""", "1:35: materials.m.normalMap: the number 3 does not fit; allowed: the name of a texture, an object { texture, strength, flipGreen, ... }")]
     [InlineData("""{"materials": {"m": {"normalMap": {"strength": 2}}}}""", "1:35: materials.m.normalMap: the key 'texture' is missing; allowed: the name of a texture, or a texture { \"type\": ... }")]
-    [InlineData("""{"materials": {"m": {"inside": "m"}}}""", "1:32: materials.m.inside: there is no material 'm'; allowed: names in 'materials', which is empty")]
+    [InlineData("""{"materials": {"m": {"inside": "m"}}}""", "1:32: materials.m.inside: the material 'm' needs itself: m -> m; allowed: names in 'materials', which has no other")]
+    [InlineData("""{"materials": {"m": {"inside": "n"}, "o": {}, "n": {"inside": "m"}}}""", "1:63: materials.n.inside: the material 'm' needs itself: m -> n -> m; allowed: o")]
     [InlineData("""{"materials": {"m": {"diffuse": {"layers": {}}}}}""", "1:44: materials.m.diffuse.layers: an object { ... } does not fit; allowed: a list of layers in brackets [ ... ]")]
     [InlineData("""{"materials": {"m": {"diffuse": {"layers": [{"texture": {"type": "grid"}, "opacity": 2}]}}}}""", "1:86: materials.m.diffuse.layers[0].opacity: the number 2 does not fit; allowed: a number at least 0 and at most 1")]
     [InlineData("""{"materials": {"m": {"diffuse": {"layers": [{"texture": {"type": "grid"}, "place": {"center": [0, 0], "size": [0, 1]}}]}}}}""", "1:111: materials.m.diffuse.layers[0].place.size: no picture is that small; allowed: a width and a height above 0")]

@@ -13,7 +13,8 @@ public sealed class ProceduralMistakeTests
     [InlineData("""{"textures": {"a": {"type": "wood", "rings": 0}}}""", "1:46: textures.a.rings: the number 0 does not fit; allowed: a number above 0")]
     [InlineData("""{"textures": {"a": {"type": "brick", "mortar": 2}}}""", "1:48: textures.a.mortar: the number 2 does not fit; allowed: a number at least 0 and at most 1")]
     [InlineData("""{"textures": {"a": {"type": "marble", "filterWidth": -1}}}""", "1:54: textures.a.filterWidth: the number -1 does not fit; allowed: a number at least 0 and at most 16")]
-    [InlineData("""{"textures": {"a": {"type": "multiply", "first": "b", "second": {"type": "wood"}}}}""", "1:50: textures.a.first: there is no texture 'b'; allowed: names in 'textures', which is empty")]
+    [InlineData("""{"textures": {"a": {"type": "multiply", "first": "b", "second": {"type": "wood"}}}}""", "1:50: textures.a.first: there is no texture 'b'; allowed: names in 'textures', which has no other")]
+    [InlineData("""{"textures": {"a": {"type": "triplanar", "texture": "b"}, "b": {"type": "triplanar", "texture": "c"}, "c": {"type": "triplanar", "texture": "b"}}}""", "1:141: textures.c.texture: the texture 'b' needs itself: b -> c -> b; allowed: names in 'textures', which has no other")]
     [InlineData("""{"textures": {"a": {"type": "mix", "first": {"type": "wood"}, "second": {"type": "wood"}, "weight": 2}}}""", "1:101: textures.a.weight: the number 2 does not fit; allowed: a number at least 0 and at most 1")]
     [InlineData("""{"textures": {"a": {"type": "triplanar"}}}""", "1:20: textures.a: the key 'texture' is missing; allowed: the name of a texture, or a texture { \"type\": ... }")]
     [InlineData("""{"objects": [{"shape": "torus", "ringRadius": 1, "tubeRadius": 1}]}""", "1:64: objects[0].tubeRadius: the tube is not thinner than the ring; allowed: a tubeRadius below the ringRadius")]
@@ -22,6 +23,27 @@ public sealed class ProceduralMistakeTests
     [InlineData("""{"materials": {"m": {"diffuse": {"mapping": {"type": "cube"}}}}}""", "1:54: materials.m.diffuse.mapping.type: unknown type 'cube'; allowed: lightProbe, torus, projector")]
     [InlineData("""{"materials": {"m": {"diffuse": {"mapping": "conic"}}}}""", "1:45: materials.m.diffuse.mapping: unknown word 'conic'; allowed: rectangular, cylindrical, spherical, mesh, disk, box, hemispherical, equalArea, lightProbe, torus, cone")]
     public void Read_Mistake_IsNamedWithItsPlace(string text, string expected) => Assert.Equal("s.json:" + expected, SceneText.Message(text));
+
+    /// <summary>Textures may stand below those that need them, as members of an object have no order.</summary>
+    [Theory]
+    [InlineData(3)]
+    [InlineData(99)]
+    public void Read_TexturesThatStandBelow_AreFound(int count)
+    {
+        LoadedScene loaded = SceneText.Read($$"""{ "textures": { {{Chain(count)}}, "t{{count}}": { "type": "constant", "color": 0.5 } }, "background": "t0" }""");
+        Assert.Equal(Enumerable.Range(0, count + 1).Select(i => $"t{i}"), loaded.Textures.Keys);
+        Assert.Equal(0.5f, loaded.Scene.Background.Texture!.Sample(TextureLookup.At(0.5, 0.5)).R);
+    }
+
+    [Fact]
+    public void Read_TooManyTexturesThatStandBelow_AreRefused()
+    {
+        string message = SceneText.Message($$"""{"textures": { {{Chain(101)}}, "t101": {"type": "wood"} } }""");
+        Assert.EndsWith(": textures.t99.texture: too many names need each other; allowed: 100 in a row, more where each stands above the one that needs it", message);
+    }
+
+    /// <summary>Textures t0, t1, ... each of which needs the next one.</summary>
+    private static string Chain(int count) => string.Join(", ", Enumerable.Range(0, count).Select(i => $$"""  "t{{i}}": { "type": "transformed", "texture": "t{{i + 1}}" }  """));
 
     [Fact]
     public void Read_Textures_AreWhatTheFileSays()

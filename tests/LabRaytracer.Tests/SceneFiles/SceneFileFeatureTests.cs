@@ -163,7 +163,7 @@ public sealed class SceneFileFeatureTests
         string path = folder.Write("scene.json", """
             {
               "textures": {
-                "a": { "type": "image", "file": "textures/red.ppm", "filter": "nearest", "texels": "lab", "wrapU": "mirror", "wrapV": "border", "colorSpace": "linear" },
+                "a": { "type": "image", "file": "textures/red.ppm", "filter": "nearest", "texels": "lab", "wrapU": "mirror", "wrapV": "border", "borderColor": [0.25, 0.5, 2], "colorSpace": "linear" },
                 "b": { "type": "image", "file": "./textures/red.ppm" },
               },
               "background": "a",
@@ -173,8 +173,9 @@ public sealed class SceneFileFeatureTests
         LoadedScene loaded = SceneFile.Load(path);
         Texture a = Assert.IsType<Texture>(loaded.Scene.Background.Texture);
         Texture b = Assert.IsType<Texture>(loaded.Scene.Objects[0].Material.Diffuse.Texture);
-        Assert.Equal((TextureFilter.Nearest, TexelConvention.Lab, TextureWrap.Mirror, TextureWrap.Border, ColorSpace.Linear),
-            (a.Sampling.Filter, a.Sampling.Texels, a.Sampling.WrapU!.Value, a.Sampling.WrapV!.Value, a.Sampling.ColorSpace));
+        Assert.Equal((TextureFilter.Nearest, TexelConvention.Lab, TextureWrap.Mirror, TextureWrap.Border, new Intensity(0.25f, 0.5f, 2), ColorSpace.Linear),
+            (a.Sampling.Filter, a.Sampling.Texels, a.Sampling.WrapU!.Value, a.Sampling.WrapV!.Value, a.Sampling.BorderColor, a.Sampling.ColorSpace));
+        Assert.Equal((TextureFilter.Ewa, new Intensity(0.25f, 0.5f, 2)), (a.Sampling.With(TextureFilter.Ewa).Filter, a.Sampling.With(TextureFilter.Ewa).BorderColor));
         Assert.Equal((TextureFilter.Bilinear, null), (b.Sampling.Filter, b.Sampling.WrapU));
         Assert.Equal(a.Path, b.Path);
         Assert.Equal(new Intensity(1, 0, 0), b.ColorMap[0, 0]);
