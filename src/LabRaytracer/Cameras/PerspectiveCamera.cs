@@ -62,7 +62,10 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
         double nearAside = Math.Max(0, Math.Max(aside, -farAside)), nearAbove = Math.Max(0, Math.Max(above, -farAbove));
         return new RayBounds(
             Eye, Eye, new Vector3D(leastX, leastY, leastZ), new Vector3D(largestX, largestY, largestZ),
-            Math.Sqrt(1 + (nearAside * nearAside) + (nearAbove * nearAbove)), double.PositiveInfinity);
+            Math.Sqrt(1 + (nearAside * nearAside) + (nearAbove * nearAbove)), double.PositiveInfinity)
+        {
+            Apex = Eye, Sense = 1,
+        };
 
         (double Least, double Largest) Range(double forward, double right, double up)
         {

@@ -14,8 +14,8 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
-    /// <summary>Groups of lanes that are looked at quickly before those that may hit are computed.</summary>
-    private const int Looks = 128;
+    /// <summary>Groups of lanes that are looked at quickly before those that may hit are computed: a bundle, or what is left of it.</summary>
+    private const int Looks = RayBatch<R, F, I>.BundlePackets;
 
     private readonly List<double> _described = [];
     private readonly List<int> _numberOfMember = [];
@@ -23,8 +23,6 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     private readonly List<bool> _isQuick = [];
     private R* _numbers;
     private F* _singles;
-
-    public override bool ReadsSingles => _isQuick.Contains(false);
 
     public override int Add(Shape shape, Transform transform, int number)
     {
@@ -67,9 +65,9 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         }
 
         int* seen = stackalloc int[Looks];
-        for (int from = first; from < end; from += Looks)
+        for (int from = first; from < end; from = EndOfLook(from, end))
         {
-            int count = Look(member, rays, from, Math.Min(from + Looks, end), seen);
+            int count = Look(member, rays, from, EndOfLook(from, end), seen);
             for (int k = 0; k < count; k++)
             {
                 RayLanes<R> ray = rays.Load(seen[k]);
@@ -98,9 +96,9 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         }
 
         int* seen = stackalloc int[Looks];
-        for (int from = first; from < end; from += Looks)
+        for (int from = first; from < end; from = EndOfLook(from, end))
         {
-            int count = Look(member, rays, from, Math.Min(from + Looks, end), seen);
+            int count = Look(member, rays, from, EndOfLook(from, end), seen);
             for (int k = 0; k < count; k++)
             {
                 int packet = seen[k];
@@ -146,9 +144,24 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
 
     /// <summary>Lists the groups of lanes that a quick look cannot tell to miss.</summary>
     /// <returns>How many.</returns>
-    private int Look(int member, RayBatch<R, F, I> rays, int first, int end, int* seen) => K.HasQuickLook
-        ? Look<K>(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays, first, end, seen)
-        : Look<SphereKernel>(new SharedParameters<F, F, I>(_singles, member * SphereKernel.ParameterCount), rays, first, end, seen);
+    private int Look(int member, RayBatch<R, F, I> rays, int first, int end, int* seen)
+    {
+        bool isSphere = !K.HasQuickLook || typeof(K) == typeof(SphereKernel);
+        int at = member * SphereKernel.ParameterCount;
+        if (isSphere && rays.Bounds is { } bounds && bounds[first / Looks].Sense != 0)
+        {
+            rays.NarrowDirections(first, end);
+            ApexLook look = new(bounds[first / Looks], new Point3D(_looks[at], _looks[at + 1], _looks[at + 2]), _looks[at + 3]);
+            return look.Run(rays.SingleDirections, first, end, seen);
+        }
+
+        rays.Narrow(first, end);
+        return K.HasQuickLook
+            ? Look<K>(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays, first, end, seen)
+            : Look<SphereKernel>(new SharedParameters<F, F, I>(_singles, at), rays, first, end, seen);
+    }
+
+    private static int EndOfLook(int first, int end) => Math.Min(((first / Looks) + 1) * Looks, end);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static int Look<L>(SharedParameters<F, F, I> shape, RayBatch<R, F, I> rays, int first, int end, int* seen)

@@ -30,7 +30,8 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>The same origins and directions rounded to float, for quick looks; written by <see cref="Narrow(int, int)"/>. In float lanes the rays themselves.</summary>
     private readonly F* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
 
-    private readonly bool[] _isNarrow;
+    /// <summary>Bundle by bundle, what of the rounded copies is up to date.</summary>
+    private readonly Narrowed[] _narrowed;
     private readonly DifferentialColumns<F> _differentials;
     private PinholeSteps? _pinhole;
     private bool _isDifferentiated;
@@ -42,7 +43,7 @@ internal sealed unsafe class RayBatch<R, F, I>
     public RayBatch(LaneMemory memory, int capacity, bool hasDifferentials = false, VectorColumns<R>? directions = null)
     {
         Capacity = capacity;
-        _isNarrow = new bool[(capacity / R.Width / BundlePackets) + 1];
+        _narrowed = new Narrowed[(capacity / R.Width / BundlePackets) + 1];
         HasDifferentials = hasDifferentials;
         _differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
         OriginX = memory.Column<R>(capacity, R.Width);
@@ -93,7 +94,7 @@ internal sealed unsafe class RayBatch<R, F, I>
             if (_pinhole is { } pinhole && !_isDifferentiated)
             {
                 _isDifferentiated = true;
-                Narrow();
+                NarrowDirections(0, Packets);
                 pinhole.Write(SingleDirections, _differentials, Packets);
             }
 
@@ -101,7 +102,7 @@ internal sealed unsafe class RayBatch<R, F, I>
         }
     }
 
-    /// <summary>Directions rounded to float; written by <see cref="Narrow(int, int)"/>.</summary>
+    /// <summary>Directions rounded to float; written by <see cref="NarrowDirections"/>.</summary>
     public VectorColumns<F> SingleDirections => new(_directionX, _directionY, _directionZ);
 
     /// <summary>Most rays.</summary>
@@ -136,7 +137,7 @@ internal sealed unsafe class RayBatch<R, F, I>
     public I SourceIn(int packet, int number) => I.Select(I.Equal(Source[packet], I.Of(number)), SourcePart[packet], I.Of(-1));
 
     /// <summary>Tells that rays have been set: rounded copies are not up to date, and are written by whoever reads them.</summary>
-    public void Renew() => Array.Clear(_isNarrow);
+    public void Renew() => Array.Clear(_narrowed);
 
     /// <summary>Writes the rounded copies of all rays; called once all rays are set, before they are traced.</summary>
     public void Narrow()
@@ -150,26 +151,41 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <param name="end">Group of lanes after the last one.</param>
     public void Narrow(int first, int end)
     {
+        NarrowDirections(first, end);
         for (int bundle = first / BundlePackets; !R.IsSingle && bundle * BundlePackets < end; bundle++)
         {
-            if (!_isNarrow[bundle])
+            if (_narrowed[bundle] != Narrowed.All)
             {
-                _isNarrow[bundle] = true;
-                NarrowBundle(bundle * BundlePackets, Math.Min((bundle + 1) * BundlePackets, Packets));
+                _narrowed[bundle] = Narrowed.All;
+                int from = bundle * BundlePackets, to = Math.Min((bundle + 1) * BundlePackets, Packets);
+                Narrow(OriginX, OriginY, OriginZ, new(_originX, _originY, _originZ), from, to);
             }
         }
     }
 
-    private void NarrowBundle(int first, int end)
+    /// <summary>The same of directions alone.</summary>
+    /// <param name="first">First group of lanes.</param>
+    /// <param name="end">Group of lanes after the last one.</param>
+    public void NarrowDirections(int first, int end)
+    {
+        for (int bundle = first / BundlePackets; !R.IsSingle && bundle * BundlePackets < end; bundle++)
+        {
+            if (_narrowed[bundle] == Narrowed.Nothing)
+            {
+                _narrowed[bundle] = Narrowed.Directions;
+                int from = bundle * BundlePackets, to = Math.Min((bundle + 1) * BundlePackets, Packets);
+                Narrow(DirectionX, DirectionY, DirectionZ, SingleDirections, from, to);
+            }
+        }
+    }
+
+    private static void Narrow(R* x, R* y, R* z, VectorColumns<F> to, int first, int end)
     {
         for (int packet = first; packet < end; packet++)
         {
-            _originX[packet] = R.ToSingle(OriginX[packet]);
-            _originY[packet] = R.ToSingle(OriginY[packet]);
-            _originZ[packet] = R.ToSingle(OriginZ[packet]);
-            _directionX[packet] = R.ToSingle(DirectionX[packet]);
-            _directionY[packet] = R.ToSingle(DirectionY[packet]);
-            _directionZ[packet] = R.ToSingle(DirectionZ[packet]);
+            to.X[packet] = R.ToSingle(x[packet]);
+            to.Y[packet] = R.ToSingle(y[packet]);
+            to.Z[packet] = R.ToSingle(z[packet]);
         }
     }
 
@@ -213,5 +229,12 @@ internal sealed unsafe class RayBatch<R, F, I>
             R.Put(DirectionZ, ray, 1);
             R.Put(Limit, ray, -1);
         }
+    }
+
+    private enum Narrowed : byte
+    {
+        Nothing,
+        Directions,
+        All,
     }
 }

@@ -53,6 +53,11 @@ internal readonly struct RayBundle
     /// <param name="sceneSize">Sum of the largest coordinates, in magnitude, of the boxes that will be asked about.</param>
     public static RayBundle Of(in RayBounds bounds, double sceneSize)
     {
+        if (!(bounds.Limit > 0))
+        {
+            return new RayBundle(default, default, default, 0, -1);
+        }
+
         BundleAxis x = Axis(bounds.LeastOrigin.X, bounds.LargestOrigin.X, bounds.LeastDirection.X, bounds.LargestDirection.X, ref sceneSize);
         BundleAxis y = Axis(bounds.LeastOrigin.Y, bounds.LargestOrigin.Y, bounds.LeastDirection.Y, bounds.LargestDirection.Y, ref sceneSize);
         BundleAxis z = Axis(bounds.LeastOrigin.Z, bounds.LargestOrigin.Z, bounds.LeastDirection.Z, bounds.LargestDirection.Z, ref sceneSize);

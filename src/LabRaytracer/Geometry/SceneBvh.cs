@@ -90,14 +90,14 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     {
         foreach (BvhSceneEntry<R, F, I> entry in _outside)
         {
-            Visit(entry, rays, hits, firstPacket, endPacket);
+            entry.Visit(rays, hits, firstPacket, endPacket);
         }
 
         if (_inside.Length < LeastBundled && (!_usesBundles || rays.Bounds is null))
         {
             foreach (BvhSceneEntry<R, F, I> entry in _inside)
             {
-                Visit(entry, rays, hits, firstPacket, endPacket);
+                entry.Visit(rays, hits, firstPacket, endPacket);
             }
 
             return;
@@ -131,11 +131,6 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
 
         BundleCandidate* candidates = stackalloc BundleCandidate[BundleSearch.Most];
         int count = _usesBundles ? _search.Find(bundle, candidates) : -1;
-        if (count != 0)
-        {
-            rays.Narrow(firstPacket, endPacket);
-        }
-
         for (int packet = firstPacket; packet < endPacket && count < 0; packet++)
         {
             RunPacket(rays, hits, packet);
@@ -145,16 +140,6 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
         {
             Visit(_inside[candidates[k].Place], rays, hits, limits, candidates[k].Start, firstPacket, endPacket);
         }
-    }
-
-    private static void Visit(in BvhSceneEntry<R, F, I> entry, RayBatch<R, F, I> rays, HitBatch<R, F, I>? hits, int firstPacket, int endPacket)
-    {
-        if (entry.Group.ReadsSingles)
-        {
-            rays.Narrow(firstPacket, endPacket);
-        }
-
-        entry.Visit(rays, hits, firstPacket, endPacket);
     }
 
     /// <summary>Looks at an object for the groups of lanes of a bundle that reach to where it may be met; neighbours at once.</summary>

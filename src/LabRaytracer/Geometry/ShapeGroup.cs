@@ -9,9 +9,6 @@ internal abstract unsafe class ShapeGroup<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
-    /// <summary>Tells whether rays are looked at in floats, so that their rounded copies must be up to date.</summary>
-    public virtual bool ReadsSingles => true;
-
     /// <summary>Adds a shape under its object number in the scene; returns its number in the group.</summary>
     /// <param name="shape">A shape of the class that created the group.</param>
     /// <param name="transform">Object space to world space.</param>

@@ -17,6 +17,8 @@ public sealed class Picture
         pixels = new Intensity[width * height];
     }
 
+    private Picture(int width, int height, Intensity[] pixels) => (Width, Height, this.pixels) = (width, height, pixels);
+
     /// <summary>Columns, in [1, 1048576].</summary>
     public int Width { get; }
 
@@ -54,6 +56,15 @@ public sealed class Picture
         var picture = new Picture(buffer.Width, buffer.Height);
         PixelDecoder.Decode(buffer, picture.pixels);
         return picture;
+    }
+
+    /// <summary>Makes a picture of which every pixel will be written before it is read.</summary>
+    /// <param name="width">Columns, in [1, 1048576].</param>
+    /// <param name="height">Rows, in [1, 1048576].</param>
+    internal static Picture Unwritten(int width, int height)
+    {
+        PictureSize.Check(width, height);
+        return new Picture(width, height, GC.AllocateUninitializedArray<Intensity>(width * height));
     }
 
     /// <summary>One row, to read or write.</summary>

@@ -27,6 +27,15 @@ public sealed class PixelBuffer
         RgbaFloat = samples as float[];
     }
 
+    private PixelBuffer(PixelBuffer other, Array? samples)
+    {
+        (Width, Height, Format, Transfer, TransferSource) = (other.Width, other.Height, other.Format, other.Transfer, other.TransferSource);
+        (HasAlpha, IsGrey) = (other.HasAlpha, other.IsGrey);
+        Rgba8 = samples as byte[];
+        Rgba16 = samples as ushort[];
+        RgbaFloat = samples as float[];
+    }
+
     /// <summary>Columns, in [1, 1048576].</summary>
     public int Width { get; }
 
@@ -56,6 +65,9 @@ public sealed class PixelBuffer
 
     /// <summary>The samples when <see cref="Format"/> is <see cref="PixelFormat.RgbaFloat"/>, otherwise null.</summary>
     public float[]? RgbaFloat { get; }
+
+    /// <summary>Whether nobody else holds the samples, so that whoever gets the buffer may overwrite them.</summary>
+    internal bool IsOurs { get; private init; }
 
     /// <summary>Wraps 8-bit samples.</summary>
     /// <param name="width">Columns, in [1, 1048576].</param>
@@ -111,6 +123,12 @@ public sealed class PixelBuffer
             HasAlpha = HasAlpha,
             IsGrey = IsGrey,
         };
+
+    /// <summary>The same samples, given away by the codec that made them.</summary>
+    internal PixelBuffer GivenAway() => new(this, (Array?)Rgba8 ?? (Array?)Rgba16 ?? RgbaFloat) { IsOurs = true };
+
+    /// <summary>What the samples mean, without them.</summary>
+    internal PixelBuffer WithoutSamples() => new(this, null);
 
     private static bool AnyBelow<T>(ReadOnlySpan<T> samples, T opaque)
         where T : unmanaged, IComparable<T>

@@ -46,5 +46,7 @@ internal static class AheadOfTime
         Name<Linear8Reader, R, F, I>();
         Name<Table8Reader, R, F, I>();
         Name<FloatReader, R, F, I>();
+        Name<PackedLinearReader, R, F, I>();
+        Name<PackedTableReader, R, F, I>();
     }
 }

@@ -27,7 +27,7 @@ public static class Renderer
         ArgumentNullException.ThrowIfNull(scene);
         PixelRectangle area = Area(options), tiles = TileArea(options);
         cancellation.ThrowIfCancellationRequested();
-        Picture picture = new(tiles.Width, tiles.Height);
+        Picture picture = Picture.Unwritten(tiles.Width, tiles.Height);
         RenderStatistics statistics = Render(scene, options, laneWidth, tiles, new WholeTarget(picture, tiles.Y), progress, cancellation);
         return new RenderResult(tiles == area ? picture : Cut(picture, tiles, area), statistics);
     }

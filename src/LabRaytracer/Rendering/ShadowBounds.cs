@@ -76,5 +76,5 @@ internal static class ShadowBounds
     /// <param name="least">Least corner of the box.</param>
     /// <param name="largest">Largest corner of the box.</param>
     public static RayBounds Of(Point3D end, Point3D least, Point3D largest) =>
-        new(least, largest, end - largest, end - least, 0, least.X <= largest.X ? WholeWay : -1);
+        new(least, largest, end - largest, end - least, 0, least.X <= largest.X ? WholeWay : -1) { Apex = end, Sense = -1 };
 }

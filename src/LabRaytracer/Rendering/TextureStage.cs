@@ -87,6 +87,12 @@ internal static unsafe class TextureStage
     {
         switch (sampler)
         {
+            case PictureSampler<PackedLinearReader> packed:
+                packed.Run<R, F, I>(lookups, colors, packets);
+                break;
+            case PictureSampler<PackedTableReader> packed:
+                packed.Run<R, F, I>(lookups, colors, packets);
+                break;
             case PictureSampler<Linear8Reader> linear:
                 linear.Run<R, F, I>(lookups, colors, packets);
                 break;

@@ -5,10 +5,18 @@ namespace LabRaytracer;
 /// <summary>Looks up packed texels, nearest or bilinear, many points at a time.</summary>
 /// <remarks>Bilinear colours are within 6 units of 2^-24 of the largest of the four texels, between exact arithmetic and default lanes.</remarks>
 /// <typeparam name="TReader">Reads the store's format.</typeparam>
+/// <param name="store">The texels.</param>
+/// <param name="table">What the reader decodes with, kept alive; or null.</param>
+/// <param name="reader">Reads them.</param>
+/// <param name="options">How the texture is looked up.</param>
+/// <param name="filter">Nearest or bilinear.</param>
+/// <param name="unpacked">If the reader reads packed texels, bilinear only: makes a sampler that does not, for axes that those do not know.</param>
 internal sealed unsafe class PictureSampler<TReader>(
-    TexelStore store, float[]? table, TReader reader, SamplingOptions options, TextureFilter filter) : TextureSampler
+    TexelStore store, float[]? table, TReader reader, SamplingOptions options, TextureFilter filter, Func<TextureSampler>? unpacked = null) : TextureSampler
     where TReader : struct, ITexelReader
 {
+    private TextureSampler? _unpacked;
+
     public override (TexelAxis Across, TexelAxis Up)? FindAxes(IMapping mapping) => Axes(mapping.DefaultWrapU, mapping.DefaultWrapV);
 
     public override void Sample<R, F, I>(in LookupBatch<R> lookups, in ColorColumns<F> colors, int packets) => Run<R, F, I>(lookups, colors, packets);
@@ -23,7 +31,11 @@ internal sealed unsafe class PictureSampler<TReader>(
         (TexelAxis across, TexelAxis up) = Axes(lookups.WrapU, lookups.WrapV);
         R* u = lookups.Coordinates.U;
         R* v = lookups.Coordinates.V;
-        if (filter == TextureFilter.Nearest)
+        if (unpacked is not null && !(TexelPairs.Fits(across) && TexelPairs.Fits(up)))
+        {
+            (_unpacked ??= unpacked()).Sample<R, F, I>(lookups, colors, packets);
+        }
+        else if (filter == TextureFilter.Nearest)
         {
             Nearest<R, F, I>(across, up, u, v, colors, packets);
         }
@@ -119,12 +131,29 @@ internal sealed unsafe class PictureSampler<TReader>(
     {
         if (isUsual)
         {
-            TexelPairs.Locate<R, F, I>(across, up, store.Start, u, v, block, count);
+            LocateUsual<R, F, I>(across, up, u, v, block, count);
         }
 
         for (int k = 0; k < count && !isUsual; k++)
         {
             Locate<R, F, I>(across, up, u[k], v[k], block, k);
+        }
+    }
+
+    /// <summary>The same on usual axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void LocateUsual<R, F, I>(in TexelAxis across, in TexelAxis up, R* u, R* v, in BilinearBlock<F, I> block, int count)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (unpacked is null)
+        {
+            TexelPairs.Locate<R, F, I>(across, up, store.Start, u, v, block, count);
+        }
+        else
+        {
+            PackedPairs.Locate<R, F, I>(store.Packed!, across, up, u, v, block, count);
         }
     }
 

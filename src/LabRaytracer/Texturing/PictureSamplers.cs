@@ -24,13 +24,36 @@ internal static unsafe class PictureSamplers
         {
             case TextureUse.Alpha:
                 return Alpha(store, options, filter);
-            case TextureUse.Premultiplied when store.Pixels.HasAlpha:
+            case TextureUse.Premultiplied when store.Facts.HasAlpha:
                 return Premultiplied(store, options, filter);
         }
 
         bool isData = use == TextureUse.Data;
         TransferFunction transfer = Transfer(store, isData, options.ColorSpace);
-        return store.Pixels.Format switch
+        return filter == TextureFilter.Bilinear && store.Packed is not null && IsUsual(store, options)
+            ? Packed(store, store.Packed, transfer, options, () => OfRows(store, transfer, isData, options, filter))
+            : OfRows(store, transfer, isData, options, filter);
+    }
+
+    /// <summary>Tells whether both axes of a picture are usual ones, as far as that does not depend on the mapping.</summary>
+    private static bool IsUsual(TexelStore store, SamplingOptions options) =>
+        TexelPairs.Fits(new(store.Width, options.WrapU ?? TextureWrap.Repeat, options.Texels))
+        && TexelPairs.Fits(new(store.Height, options.WrapV ?? TextureWrap.Repeat, options.Texels));
+
+    private static TextureSampler Packed(TexelStore store, PackedTexels packed, TransferFunction transfer, SamplingOptions options, Func<TextureSampler> rows)
+    {
+        if (transfer.IsLinear)
+        {
+            return new PictureSampler<PackedLinearReader>(store, null, new PackedLinearReader(packed.Texels), options, TextureFilter.Bilinear, rows);
+        }
+
+        float[] table = Table(store, transfer, out nint address);
+        return new PictureSampler<PackedTableReader>(store, table, new PackedTableReader(packed.Texels, (float*)address), options, TextureFilter.Bilinear, rows);
+    }
+
+    private static TextureSampler OfRows(TexelStore store, TransferFunction transfer, bool isData, SamplingOptions options, TextureFilter filter)
+    {
+        return store.Facts.Format switch
         {
             PixelFormat.Rgba8 when transfer.IsLinear =>
                 Sampler(store, null, new Linear8Reader((int*)store.Samples), isData, options, filter),
@@ -41,11 +64,11 @@ internal static unsafe class PictureSamplers
     }
 
     /// <summary>Linear light of every code; empty for float samples.</summary>
-    public static ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData, ColorSpace colorSpace) => store.Pixels.Format == PixelFormat.RgbaFloat
+    public static ReadOnlySpan<float> DecodeTable(TexelStore store, bool isData, ColorSpace colorSpace) => store.Facts.Format == PixelFormat.RgbaFloat
         ? default
-        : ColorEncoding.DecodeTable(Transfer(store, isData, colorSpace), store.Pixels.Format);
+        : ColorEncoding.DecodeTable(Transfer(store, isData, colorSpace), store.Facts.Format);
 
-    private static TextureSampler Alpha(TexelStore store, SamplingOptions options, TextureFilter filter) => store.Pixels.Format switch
+    private static TextureSampler Alpha(TexelStore store, SamplingOptions options, TextureFilter filter) => store.Facts.Format switch
     {
         PixelFormat.Rgba8 => Sampler(store, null, new Alpha8Reader((int*)store.Samples), isData: false, options, filter),
         PixelFormat.Rgba16 => Sampler(store, null, new Alpha16Reader((int*)store.Samples), isData: false, options, filter),
@@ -55,7 +78,7 @@ internal static unsafe class PictureSamplers
     private static TextureSampler Premultiplied(TexelStore store, SamplingOptions options, TextureFilter filter)
     {
         TransferFunction transfer = Transfer(store, isData: false, options.ColorSpace);
-        return store.Pixels.Format switch
+        return store.Facts.Format switch
         {
             PixelFormat.Rgba8 => WithTable(
                 store,
@@ -83,13 +106,13 @@ internal static unsafe class PictureSamplers
 
     /// <summary>How the codes of a store become light in colour slots, and who says so.</summary>
     public static string Rule(TexelStore store, ColorSpace colorSpace) => string.Create(
-        CultureInfo.InvariantCulture, $"{Transfer(store, isData: false, colorSpace)} ({(colorSpace == ColorSpace.Auto ? store.Pixels.TransferSource : "asked for")})");
+        CultureInfo.InvariantCulture, $"{Transfer(store, isData: false, colorSpace)} ({(colorSpace == ColorSpace.Auto ? store.Facts.TransferSource : "asked for")})");
 
     private static TransferFunction Transfer(TexelStore store, bool isData, ColorSpace colorSpace) => colorSpace switch
     {
         ColorSpace.Srgb => TransferFunction.Srgb,
         ColorSpace.Linear => TransferFunction.Linear,
-        _ => isData ? TransferFunction.Linear : store.Pixels.Transfer,
+        _ => isData ? TransferFunction.Linear : store.Facts.Transfer,
     };
 
     private static TextureSampler Sampler<TReader>(TexelStore store, float[]? table, TReader reader, bool isData, SamplingOptions options, TextureFilter filter)
@@ -111,10 +134,17 @@ internal static unsafe class PictureSamplers
         TexelStore store, TransferFunction transfer, Func<nint, nint, TReader> reader, bool isData, SamplingOptions options, TextureFilter filter)
         where TReader : struct, ITexelReader
     {
-        ReadOnlySpan<float> codes = ColorEncoding.DecodeTable(transfer, store.Pixels.Format);
+        float[] table = Table(store, transfer, out nint address);
+        return Sampler(store, table, reader((nint)store.Samples, address), isData, options, filter);
+    }
+
+    /// <summary>Linear light of every code, pinned.</summary>
+    private static float[] Table(TexelStore store, TransferFunction transfer, out nint address)
+    {
+        ReadOnlySpan<float> codes = ColorEncoding.DecodeTable(transfer, store.Facts.Format);
         float[] table = GC.AllocateUninitializedArray<float>(codes.Length, pinned: true);
         codes.CopyTo(table);
-        nint address = Marshal.UnsafeAddrOfPinnedArrayElement(table, 0);
-        return Sampler(store, table, reader((nint)store.Samples, address), isData, options, filter);
+        address = Marshal.UnsafeAddrOfPinnedArrayElement(table, 0);
+        return table;
     }
 }

@@ -9,16 +9,16 @@ internal static class StandInPicture
     /// <param name="path">The file.</param>
     /// <param name="limits">Limits of size; null for the defaults.</param>
     /// <param name="failed">Told what is wrong with the file.</param>
-    public static TexelStore Read(string path, PictureLimits? limits, Action<Exception> failed)
+    public static PixelBuffer Read(string path, PictureLimits? limits, Action<Exception> failed)
     {
         try
         {
-            return new TexelStore(PictureCodecs.Default.Read(path, limits));
+            return PictureCodecs.Default.Read(path, limits);
         }
         catch (Exception failure) when (failure is PictureFormatException or IOException or UnauthorizedAccessException)
         {
             failed(failure);
-            return new TexelStore(Create());
+            return Create();
         }
     }
 

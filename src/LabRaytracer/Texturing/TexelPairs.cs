@@ -48,20 +48,20 @@ internal static unsafe class TexelPairs
     {
         if (across.Wrap == TextureWrap.Repeat)
         {
-            Columns<Repeated, R, F, I>(across.Size, u, below, step, right, packets);
+            Columns<RepeatedAxis, R, F, I>(across.Size, u, below, step, right, packets);
         }
         else
         {
-            Columns<Clamped, R, F, I>(across.Size, u, below, step, right, packets);
+            Columns<ClampedAxis, R, F, I>(across.Size, u, below, step, right, packets);
         }
 
         if (up.Wrap == TextureWrap.Repeat)
         {
-            Rows<Repeated, R, F, I>(up.Size, across.Size, start, v, below, above, upper, packets);
+            Rows<RepeatedAxis, R, F, I>(up.Size, across.Size, start, v, below, above, upper, packets);
         }
         else
         {
-            Rows<Clamped, R, F, I>(up.Size, across.Size, start, v, below, above, upper, packets);
+            Rows<ClampedAxis, R, F, I>(up.Size, across.Size, start, v, below, above, upper, packets);
         }
     }
 
@@ -94,47 +94,6 @@ internal static unsafe class TexelPairs
             I left = below[packet];
             below[packet] = origin - (first * stride) + left;
             above[packet] = origin - (second * stride) + left;
-        }
-    }
-
-    /// <summary>What lies outside of an axis.</summary>
-    private interface IAxisWrap
-    {
-        static abstract void Between<R, F, I>(R coordinate, int size, out I first, out I second, out F weight)
-            where R : unmanaged, ILane<R, F, I>
-            where F : unmanaged, ILane<F, F, I>
-            where I : unmanaged, IIndexLane<I>;
-    }
-
-    private readonly struct Repeated : IAxisWrap
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Between<R, F, I>(R coordinate, int size, out I first, out I second, out F weight)
-            where R : unmanaged, ILane<R, F, I>
-            where F : unmanaged, ILane<F, F, I>
-            where I : unmanaged, IIndexLane<I>
-        {
-            R position = R.Fma(Elementary.WrapRepeat(coordinate), R.Of(size), R.Of(-0.5)), floor = R.Floor(position);
-            weight = R.ToSingle(position - floor);
-            I texel = R.ToInt32(floor), last = I.Of(size - 1), zero = I.Of(0);
-            first = I.Select(I.Less(texel, zero), last, I.Min(texel, last));
-            second = I.Less(texel, last) & (texel + I.Of(1));
-        }
-    }
-
-    private readonly struct Clamped : IAxisWrap
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Between<R, F, I>(R coordinate, int size, out I first, out I second, out F weight)
-            where R : unmanaged, ILane<R, F, I>
-            where F : unmanaged, ILane<F, F, I>
-            where I : unmanaged, IIndexLane<I>
-        {
-            R position = R.Fma(Elementary.WrapClamp(coordinate), R.Of(size), R.Of(-0.5)), floor = R.Floor(position);
-            weight = R.ToSingle(position - floor);
-            I texel = R.ToInt32(floor), last = I.Of(size - 1), zero = I.Of(0);
-            first = I.Min(I.Max(texel, zero), last);
-            second = I.Min(I.Max(texel + I.Of(1), zero), last);
         }
     }
 }

@@ -10,7 +10,7 @@ internal readonly unsafe struct Table8Reader(int* texels, float* table) : ITexel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Read<F, I>(I texel, out F red, out F green, out F blue)
         where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> => Decode(I.Gather(texels, texel), out red, out green, out blue);
+        where I : unmanaged, IIndexLane<I> => Decode(I.Gather(texels, texel), table, out red, out green, out blue);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void ReadPair<F, I>(I* texel, out F red0, out F green0, out F blue0, out F red1, out F green1, out F blue1)
@@ -18,12 +18,13 @@ internal readonly unsafe struct Table8Reader(int* texels, float* table) : ITexel
         where I : unmanaged, IIndexLane<I>
     {
         I.LoadPairs(texels, texel, out I left, out I right);
-        Decode(left, out red0, out green0, out blue0);
-        Decode(right, out red1, out green1, out blue1);
+        Decode(left, table, out red0, out green0, out blue0);
+        Decode(right, table, out red1, out green1, out blue1);
     }
 
+    /// <summary>Three codes, the highest byte being of no matter.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Decode<F, I>(I packed, out F red, out F green, out F blue)
+    public static void Decode<F, I>(I packed, float* table, out F red, out F green, out F blue)
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
@@ -56,8 +57,9 @@ internal readonly unsafe struct Linear8Reader(int* texels) : ITexelReader
         Split(right, out red1, out green1, out blue1);
     }
 
+    /// <summary>Three codes, the highest byte being of no matter.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Split<F, I>(I packed, out F red, out F green, out F blue)
+    public static void Split<F, I>(I packed, out F red, out F green, out F blue)
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {

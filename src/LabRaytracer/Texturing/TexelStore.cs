@@ -2,38 +2,71 @@ using System.Runtime.InteropServices;
 
 namespace LabRaytracer;
 
-/// <summary>The packed texels of a texture, in the file's own format and row order (row 0 on top), pinned for gathers.</summary>
-/// <remarks>Immutable but for the smaller versions that it keeps, thread safe.</remarks>
+/// <summary>The texels of a texture, in the file's own format and row order (row 0 on top), pinned for gathers, or packed for bilinear lookups.</summary>
+/// <remarks>Immutable but for the smaller versions that it keeps and for rows that it unpacks, thread safe.</remarks>
 internal sealed unsafe class TexelStore
 {
-    private readonly GCHandle _pin;
     private readonly Dictionary<object, MipPyramid> _pyramids = [];
+    private PixelBuffer? _pixels;
+    private GCHandle _pin;
 
-    public TexelStore(PixelBuffer pixels)
+    /// <param name="pixels">The picture.</param>
+    /// <param name="forPairs">Whether it will be read bilinearly: then it is packed for that, if it is large.</param>
+    public TexelStore(PixelBuffer pixels, bool forPairs = false)
     {
-        Pixels = pixels;
-        _pin = GCHandle.Alloc((Array?)pixels.Rgba8 ?? (Array?)pixels.Rgba16 ?? pixels.RgbaFloat, GCHandleType.Pinned);
+        Packed = forPairs ? PackedTexels.Of(pixels) : null;
+        Facts = pixels.WithoutSamples();
+        _pixels = Packed is null ? pixels : null;
     }
 
-    ~TexelStore() => _pin.Free();
+    ~TexelStore()
+    {
+        if (_pin.IsAllocated)
+        {
+            _pin.Free();
+        }
+    }
 
-    /// <summary>The picture.</summary>
-    public PixelBuffer Pixels { get; }
+    /// <summary>What the texels mean, without them.</summary>
+    public PixelBuffer Facts { get; }
+
+    /// <summary>The texels packed for bilinear lookups; null if they are not.</summary>
+    public PackedTexels? Packed { get; }
 
     /// <summary>Number of columns.</summary>
-    public int Width => Pixels.Width;
+    public int Width => Facts.Width;
 
     /// <summary>Number of rows.</summary>
-    public int Height => Pixels.Height;
+    public int Height => Facts.Height;
 
     /// <summary>Element number of texel (0, 0), the bottom-left one: rows go up, so the stride is minus the width.</summary>
     public int Start => (Height - 1) * Width;
 
     /// <summary>Tells whether texels are seldom in the processor's own cache.</summary>
-    public bool IsLarge => (long)Width * Height > 1 << 16;
+    public bool IsLarge => IsWorthCare(Width, Height);
 
-    /// <summary>The first sample of the top-left texel.</summary>
-    public void* Samples => (void*)_pin.AddrOfPinnedObject();
+    /// <summary>The first sample of the top-left texel. Packed texels are unpacked for it, and stay so.</summary>
+    public void* Samples
+    {
+        get
+        {
+            lock (_pyramids)
+            {
+                if (!_pin.IsAllocated)
+                {
+                    _pixels ??= PixelBuffer.FromRgba8(Width, Height, Packed!.Unpack(), Facts.Transfer, Facts.TransferSource);
+                    _pin = GCHandle.Alloc((Array?)_pixels.Rgba8 ?? (Array?)_pixels.Rgba16 ?? _pixels.RgbaFloat, GCHandleType.Pinned);
+                }
+
+                return (void*)_pin.AddrOfPinnedObject();
+            }
+        }
+    }
+
+    /// <summary>Tells whether texels of a picture of a size are seldom in the processor's own cache.</summary>
+    /// <param name="width">Number of columns.</param>
+    /// <param name="height">Number of rows.</param>
+    public static bool IsWorthCare(int width, int height) => (long)width * height > 1 << 16;
 
     /// <summary>The smaller versions of the picture, made once for every way to read it.</summary>
     /// <param name="key">What the way to read it depends on.</param>
@@ -58,12 +91,18 @@ internal sealed unsafe class TexelStore
     /// <param name="y">Row, up, [0, height).</param>
     public Intensity Color(ReadOnlySpan<float> table, int x, int y)
     {
-        int at = 4 * (Start - (y * Width) + x);
-        return Pixels.Format switch
+        if (_pixels is not { } pixels)
         {
-            PixelFormat.Rgba8 => Decode(table, Pixels.Rgba8![at], Pixels.Rgba8[at + 1], Pixels.Rgba8[at + 2]),
-            PixelFormat.Rgba16 => Decode(table, Pixels.Rgba16![at], Pixels.Rgba16[at + 1], Pixels.Rgba16[at + 2]),
-            _ => new Intensity(Pixels.RgbaFloat![at], Pixels.RgbaFloat[at + 1], Pixels.RgbaFloat[at + 2]),
+            byte* packed = Packed!.At(x, Height - 1 - y);
+            return Decode(table, packed[0], packed[1], packed[2]);
+        }
+
+        int at = 4 * (Start - (y * Width) + x);
+        return pixels.Format switch
+        {
+            PixelFormat.Rgba8 => Decode(table, pixels.Rgba8![at], pixels.Rgba8[at + 1], pixels.Rgba8[at + 2]),
+            PixelFormat.Rgba16 => Decode(table, pixels.Rgba16![at], pixels.Rgba16[at + 1], pixels.Rgba16[at + 2]),
+            _ => new Intensity(pixels.RgbaFloat![at], pixels.RgbaFloat[at + 1], pixels.RgbaFloat[at + 2]),
         };
     }
 
@@ -72,12 +111,13 @@ internal sealed unsafe class TexelStore
     /// <param name="y">Row, up, [0, height).</param>
     public float Alpha(int x, int y)
     {
+        // Only opaque texels are packed.
         int at = (4 * (Start - (y * Width) + x)) + 3;
-        return Pixels.Format switch
+        return _pixels is not { } pixels ? 1 : pixels.Format switch
         {
-            PixelFormat.Rgba8 => Pixels.Rgba8![at] / 255f,
-            PixelFormat.Rgba16 => Pixels.Rgba16![at] / 65535f,
-            _ => Pixels.RgbaFloat![at],
+            PixelFormat.Rgba8 => pixels.Rgba8![at] / 255f,
+            PixelFormat.Rgba16 => pixels.Rgba16![at] / 65535f,
+            _ => pixels.RgbaFloat![at],
         };
     }
 

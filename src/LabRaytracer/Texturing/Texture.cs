@@ -8,7 +8,7 @@ namespace LabRaytracer;
 /// </remarks>
 public sealed class Texture : IPreparedTexture
 {
-    private readonly Lazy<TexelStore>? _store;
+    private readonly TexelFile? _file;
     private readonly float[,]? _alphaMap;
     private Intensity[,]? _colorMap;
     private SamplingOptions _sampling = SamplingOptions.Default;
@@ -54,27 +54,22 @@ public sealed class Texture : IPreparedTexture
         _alphaMap = alphaMap;
     }
 
-    private Texture(Lazy<TexelStore>? store, Intensity[,]? colorMap, float[,]? alphaMap)
-    {
-        _store = store;
-        _colorMap = colorMap;
-        _alphaMap = alphaMap;
-    }
+    private Texture(TexelFile? file, Intensity[,]? colorMap, float[,]? alphaMap) => (_file, _colorMap, _alphaMap) = (file, colorMap, alphaMap);
 
     /// <summary>Number of columns.</summary>
     /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
-    public int Width => _colorMap?.GetLength(0) ?? _store!.Value.Width;
+    public int Width => _colorMap?.GetLength(0) ?? Texels.Width;
 
     /// <summary>Number of rows.</summary>
     /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
-    public int Height => _colorMap?.GetLength(1) ?? _store!.Value.Height;
+    public int Height => _colorMap?.GetLength(1) ?? Texels.Height;
 
     /// <summary>
     /// Linear colours of the texels: <c>ColorMap[x, y]</c>, x to the right in [0, Width), y up in [0, Height): [0, 0] is the bottom-left texel,
     /// so that the sheet's y_p = (v_res - 1) v holds as written.
     /// </summary>
     /// <remarks>The first read of a loaded texture builds the array; from its first edit on the array is what is rendered, in data slots too.</remarks>
-    public Intensity[,] ColorMap => _colorMap ??= ColorMapTexels.Unpack(_store!.Value, DecodeTable(_store.Value, isData: false));
+    public Intensity[,] ColorMap => _colorMap ??= ColorMapTexels.Unpack(Texels, DecodeTable(Texels, isData: false));
 
     /// <summary>How the texture is looked up. Default: bilinear between texel centres, wrap as the mapping suggests.</summary>
     public SamplingOptions Sampling
@@ -91,10 +86,12 @@ public sealed class Texture : IPreparedTexture
     /// sRGB, then gAMA), then sRGB by assumption; such as "sRGB (gAMA chunk)".
     /// </summary>
     /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
-    public string ColorRule => _store is null ? "linear (ColorMap)" : PictureSamplers.Rule(_store.Value, Sampling.ColorSpace);
+    public string ColorRule => _file is null ? "linear (ColorMap)" : PictureSamplers.Rule(Texels, Sampling.ColorSpace);
 
-    /// <summary>The file's samples if they have been decoded, or null.</summary>
-    internal PixelBuffer? Decoded => _store is { IsValueCreated: true } ? _store.Value.Pixels : null;
+    /// <summary>What the file's samples are if they have been decoded, without them; or null.</summary>
+    internal PixelBuffer? Decoded => _file?.Decoded?.Facts;
+
+    private TexelStore Texels => _file!.Texels(Sampling.Filter);
 
     /// <summary>A texture of a picture file, decoded when it is first needed.</summary>
     /// <param name="path">Path of a PNG, PPM, PGM, PFM, HDR (or, if a codec is there, JPEG or other) file.</param>
@@ -108,7 +105,7 @@ public sealed class Texture : IPreparedTexture
             throw new FileNotFoundException($"There is no picture file '{path}'.", path);
         }
 
-        return new Texture(new Lazy<TexelStore>(() => new TexelStore(PictureCodecs.Default.Read(path, limits))), null, null) { Path = path };
+        return new Texture(new TexelFile(() => PictureCodecs.Default.Read(path, limits)), null, null) { Path = path };
     }
 
     /// <summary>A texture of a picture file, decoded when it is first needed; if that fails, a checker of magenta and black, 64 x 64 texels.</summary>
@@ -119,7 +116,7 @@ public sealed class Texture : IPreparedTexture
     {
         ArgumentException.ThrowIfNullOrEmpty(path);
         ArgumentNullException.ThrowIfNull(failed);
-        return new Texture(new Lazy<TexelStore>(() => StandInPicture.Read(path, limits, failed)), null, null) { Path = path };
+        return new Texture(new TexelFile(() => StandInPicture.Read(path, limits, failed)), null, null) { Path = path };
     }
 
     /// <summary>A texture of a picture. Row 0 of a picture is its top, row 0 of <see cref="ColorMap"/> the bottom: this is the only place that turns them over.</summary>
@@ -145,13 +142,13 @@ public sealed class Texture : IPreparedTexture
     public Texture With(SamplingOptions sampling)
     {
         ArgumentNullException.ThrowIfNull(sampling);
-        return new Texture(_store, _colorMap, _alphaMap) { Sampling = sampling, Path = Path };
+        return new Texture(_file, _colorMap, _alphaMap) { Sampling = sampling, Path = Path };
     }
 
     /// <summary>Tells whether parts of the texture are not there: the file or the array has alpha, or a wrap has a border.</summary>
     /// <exception cref="PictureFormatException">The file, read now for the first time, is not a picture.</exception>
     public bool HasAlpha =>
-        Sampling.WrapU == TextureWrap.Border || Sampling.WrapV == TextureWrap.Border || _alphaMap is not null || (_store is not null && _store.Value.Pixels.HasAlpha);
+        Sampling.WrapU == TextureWrap.Border || Sampling.WrapV == TextureWrap.Border || _alphaMap is not null || (_file is not null && Texels.Facts.HasAlpha);
 
     /// <inheritdoc/>
     public TextureNeeds Needs => NeedsUnder(Sampling.Filter);
@@ -199,11 +196,11 @@ public sealed class Texture : IPreparedTexture
     }
 
     TextureSampler IPreparedTexture.Prepare(TextureUse use, TextureFilter? filter) =>
-        PictureSamplers.Create(IsAsLoaded() ? _store!.Value : ColorMapTexels.Pack(_colorMap!, AlphaAt), use, Sampling, filter ?? Sampling.Filter);
+        PictureSamplers.Create(IsAsLoaded() ? _file!.Texels(filter ?? Sampling.Filter) : ColorMapTexels.Pack(_colorMap!, AlphaAt), use, Sampling, filter ?? Sampling.Filter);
 
     TextureSampler IPreparedTexture.PrepareSlopes(TextureChannel channel, TextureWrap wrapU, TextureWrap wrapV, TextureFilter? filter)
     {
-        TexelStore slopes = SlopePicture.Create(IsAsLoaded() ? _store!.Value : ColorMapTexels.Pack(_colorMap!, AlphaAt), channel, Sampling, wrapU, wrapV);
+        TexelStore slopes = SlopePicture.Create(IsAsLoaded() ? Texels : ColorMapTexels.Pack(_colorMap!, AlphaAt), channel, Sampling, wrapU, wrapV);
         return PictureSamplers.Create(slopes, TextureUse.Data, Sampling, filter ?? Sampling.Filter);
     }
 
@@ -213,17 +210,17 @@ public sealed class Texture : IPreparedTexture
     /// </summary>
     private bool IsAsLoaded()
     {
-        if (_colorMap is null || _store is null)
+        if (_colorMap is null || _file is null)
         {
             return _colorMap is null;
         }
 
-        ReadOnlySpan<float> table = DecodeTable(_store.Value, isData: false);
+        ReadOnlySpan<float> table = DecodeTable(Texels, isData: false);
         for (int x = 0; x < Width; x++)
         {
             for (int y = 0; y < Height; y++)
             {
-                if (_colorMap[x, y] != _store.Value.Color(table, x, y))
+                if (_colorMap[x, y] != Texels.Color(table, x, y))
                 {
                     return false;
                 }
@@ -238,9 +235,9 @@ public sealed class Texture : IPreparedTexture
 
     private Intensity Texel(int x, int y, TextureUse use) => use == TextureUse.Alpha
         ? Intensity.Grey(AlphaAt(x, y))
-        : _colorMap?[x, y] ?? _store!.Value.Color(DecodeTable(_store.Value, isData: false), x, y);
+        : _colorMap?[x, y] ?? Texels.Color(DecodeTable(Texels, isData: false), x, y);
 
-    private float AlphaAt(int x, int y) => _alphaMap is not null ? _alphaMap[x, y] : _store?.Value.Alpha(x, y) ?? 1;
+    private float AlphaAt(int x, int y) => _alphaMap is not null ? _alphaMap[x, y] : _file is null ? 1 : Texels.Alpha(x, y);
 
     /// <summary>What lies beyond a border; nothing is there of the alpha.</summary>
     private Intensity Outside(TextureUse use) => use == TextureUse.Alpha ? Intensity.Black : Sampling.BorderColor;

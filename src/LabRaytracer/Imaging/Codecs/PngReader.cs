@@ -56,7 +56,7 @@ internal sealed class PngReader
         (TransferFunction transfer, string source) = color.Resolve();
         return header.BitDepth == 16
             ? PixelBuffer.FromRgba16(header.Width, header.Height, samples16, transfer, source)
-            : PixelBuffer.FromRgba8(header.Width, header.Height, samples8, transfer, source);
+            : PixelBuffer.FromRgba8(header.Width, header.Height, samples8, transfer, source).GivenAway();
     }
 
     private void ReadChunk(PngPalette palette)

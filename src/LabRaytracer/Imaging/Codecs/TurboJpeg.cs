@@ -98,7 +98,7 @@ internal sealed unsafe class TurboJpeg
             ConvertCmyk(samples);
         }
 
-        return PixelBuffer.FromRgba8(width, height, samples, TransferFunction.Srgb, "assumed for JPEG");
+        return PixelBuffer.FromRgba8(width, height, samples, TransferFunction.Srgb, "assumed for JPEG").GivenAway();
     }
 
     /// <summary>CMYK of JPEG files is stored inverted (255 = no ink): red = C K / 255, rounded to nearest.</summary>

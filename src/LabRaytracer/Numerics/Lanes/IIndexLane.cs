@@ -52,6 +52,13 @@ internal interface IIndexLane<I> :
     /// <param name="second">Their right neighbours.</param>
     static abstract unsafe void LoadPairs(int* table, I* index, out I first, out I second);
 
+    /// <summary>32 bits from each of some places, and 32 bits from three bytes behind each: two neighbouring colours of three bytes, and another byte above each.</summary>
+    /// <param name="table">The bytes.</param>
+    /// <param name="offset">Places, bytes; in memory. Eight bytes are read at each.</param>
+    /// <param name="first">The bits.</param>
+    /// <param name="second">Those three bytes behind.</param>
+    static abstract unsafe void LoadTriples(byte* table, I* offset, out I first, out I second);
+
     /// <summary>Reads a whole group of lanes from memory of any alignment.</summary>
     static abstract unsafe I Load(int* elements);
 

@@ -78,6 +78,13 @@ internal readonly struct Int1(int value) : IIndexLane<Int1>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadTriples(byte* table, Int1* offset, out Int1 first, out Int1 second)
+    {
+        first = new(Unsafe.ReadUnaligned<int>(table + offset->Value));
+        second = new(Unsafe.ReadUnaligned<int>(table + offset->Value + 3));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int1 Load(int* elements) => new(*elements);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -104,6 +104,23 @@ internal readonly struct Int16(Vector512<int> value) : IIndexLane<Int16>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadTriples(byte* table, Int16* offset, out Int16 first, out Int16 second)
+    {
+        Vector512<long> low = LanePairs.Eight(table, (int*)offset), high = LanePairs.Eight(table, (int*)offset + 8);
+        Vector512<long> low3 = Vector512.ShiftRightLogical(low, 24), high3 = Vector512.ShiftRightLogical(high, 24);
+        if (Avx512F.IsSupported)
+        {
+            Vector512<int> even = Vector512.Create(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+            first = new(Avx512F.PermuteVar16x32x2(low.AsInt32(), even, high.AsInt32()));
+            second = new(Avx512F.PermuteVar16x32x2(low3.AsInt32(), even, high3.AsInt32()));
+            return;
+        }
+
+        first = new(Vector512.Narrow(low, high));
+        second = new(Vector512.Narrow(low3, high3));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int16 Load(int* elements) => new(Vector512.Load(elements));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -94,6 +94,14 @@ internal readonly struct Int4(Vector128<int> value) : IIndexLane<Int4>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadTriples(byte* table, Int4* offset, out Int4 first, out Int4 second)
+    {
+        Vector128<long> low = LanePairs.Two(table, (int*)offset), high = LanePairs.Two(table, (int*)offset + 2);
+        first = new(Vector128.Narrow(low, high));
+        second = new(Vector128.Narrow(Vector128.ShiftRightLogical(low, 24), Vector128.ShiftRightLogical(high, 24)));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int4 Load(int* elements) => new(Vector128.Load(elements));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -94,6 +94,14 @@ internal readonly struct Int8(Vector256<int> value) : IIndexLane<Int8>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void LoadTriples(byte* table, Int8* offset, out Int8 first, out Int8 second)
+    {
+        Vector256<long> low = LanePairs.Four(table, (int*)offset), high = LanePairs.Four(table, (int*)offset + 4);
+        first = new(Vector256.Narrow(low, high));
+        second = new(Vector256.Narrow(Vector256.ShiftRightLogical(low, 24), Vector256.ShiftRightLogical(high, 24)));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe Int8 Load(int* elements) => new(Vector256.Load(elements));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
