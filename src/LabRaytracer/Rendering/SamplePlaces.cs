@@ -6,6 +6,7 @@ namespace LabRaytracer;
 internal sealed class SamplePlaces(RenderOptions options, SamplePattern pattern)
 {
     private readonly PixelWarp _warp = new(options.PixelFilter);
+
     /// <summary>Places of the samples that every pixel takes.</summary>
     public SamplePlaces(RenderOptions options)
         : this(options, options.HasBudget ? SamplePattern.Sobol : options.Pattern)
@@ -23,11 +24,11 @@ internal sealed class SamplePlaces(RenderOptions options, SamplePattern pattern)
     /// <param name="pixelY">Row in the whole picture.</param>
     /// <param name="sample">Number of the sample.</param>
     /// <param name="axis">0 for x, 1 for y.</param>
-    public double At(int pixelX, int pixelY, int sample, int axis) => _warp.Place(pattern switch
-    {
-        SamplePattern.Regular => SampleOffsets.Regular(options, sample, axis),
-        SamplePattern.Jittered => SampleOffsets.Jittered(options, pixelX, pixelY, sample, axis),
-        SamplePattern.MultiJittered => SampleOffsets.MultiJittered(options, pixelX, pixelY, sample, axis),
-        _ => SampleOffsets.Sobol(options, pixelX, pixelY, sample, axis),
-    });
+    public double At(int pixelX, int pixelY, int sample, int axis) => Place(Axis(sample, axis), pixelX, pixelY);
+
+    /// <summary>One sample along one axis, for many pixels.</summary>
+    public SampleAxis Axis(int sample, int axis) => new(options, pattern, sample, axis);
+
+    /// <summary>Its place in a pixel, as by <see cref="At"/>.</summary>
+    public double Place(in SampleAxis axis, int pixelX, int pixelY) => _warp.Place(axis.At(pixelX, pixelY));
 }

@@ -31,11 +31,12 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         else
         {
             _grid = null;
+            SampleAxis across = _places.Axis(sample, 0), down = _places.Axis(sample, 1);
             for (int i = 0; i < Pixels; i++)
             {
                 (int px, int py) = Place(i);
-                R.Put(_sampleX, i, x + px + _places.At(x + px, y + py, sample, 0));
-                R.Put(_sampleY, i, y + py + _places.At(x + px, y + py, sample, 1));
+                R.Put(_sampleX, i, x + px + _places.Place(across, x + px, y + py));
+                R.Put(_sampleY, i, y + py + _places.Place(down, x + px, y + py));
             }
         }
 
