@@ -30,10 +30,9 @@ internal sealed class ScalingSweep(BenchPlan plan, Measures measures, Action<str
         string name = FormattableString.Invariant($"{kind} {count}");
         say(name);
         RenderOptions options = SceneRun.Options(plan, Environment.ProcessorCount);
-        Renderer.Render(scene, options);
         for (int round = 0; round < plan.Rounds; round++)
         {
-            RenderStatistics statistics = Renderer.Render(scene, options).Statistics;
+            RenderStatistics statistics = SceneRun.RenderWarm(scene, options).Statistics;
             measures.Add(name, SceneRun.Ours, "double, all threads", "picture", statistics.RenderSeconds);
             measures.Add(name, SceneRun.Ours, "double, all threads", "prepare", statistics.PrepareSeconds);
         }
