@@ -35,18 +35,20 @@ internal static unsafe class MeshSurfaces<Q>
             Points(new MeshDoublePositions(mesh.Positions.Doubles), mesh.Corners, from, against, points, normals, (Q*)surfaces.Slack);
         }
 
-        surfaces.SharesNormals = !mesh.Normals.IsPresent;
-        if (mesh.Normals.IsPresent)
+        // Shared normals would say that there are no parts, which shadow rays that leave a triangle must know.
+        surfaces.SharesNormals = false;
+        VectorColumns<Q> shading = new((Q*)surfaces.ShadingX, (Q*)surfaces.ShadingY, (Q*)surfaces.ShadingZ);
+        if (!mesh.Normals.IsPresent)
         {
-            VectorColumns<Q> shading = new((Q*)surfaces.ShadingX, (Q*)surfaces.ShadingY, (Q*)surfaces.ShadingZ);
-            if (mesh.Normals.Singles != null)
-            {
-                Normals(new MeshSinglePositions(mesh.Normals.Singles), mesh.NormalCorners, from, normals, shading);
-            }
-            else
-            {
-                Normals(new MeshDoublePositions(mesh.Normals.Doubles), mesh.NormalCorners, from, normals, shading);
-            }
+            shading.CopyFrom(normals, from.Quads);
+        }
+        else if (mesh.Normals.Singles != null)
+        {
+            Normals(new MeshSinglePositions(mesh.Normals.Singles), mesh.NormalCorners, from, normals, shading);
+        }
+        else
+        {
+            Normals(new MeshDoublePositions(mesh.Normals.Doubles), mesh.NormalCorners, from, normals, shading);
         }
 
         if ((needs & SurfaceNeeds.SurfaceCoordinates) != 0)

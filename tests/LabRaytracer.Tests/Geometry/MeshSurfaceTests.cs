@@ -46,4 +46,51 @@ public class MeshSurfaceTests
             Assert.Equal(expected.Select(number => R1.Get(number, 0)), run.SurfaceNumbers(i));
         }
     }
+
+    /// <summary>A shadow ray leaves out the triangle that it starts from: of a mesh alone as of one beside another, with normals of its own or without.</summary>
+    [Theory]
+    [InlineData(Precision.Double)]
+    [InlineData(Precision.Single)]
+    public void Render_WavyMeshWithoutNormals_SameBitsAloneAndBesideAnother(Precision precision)
+    {
+        const int Side = 60, Line = Side + 1;
+        double[] positions = new double[3 * Line * Line];
+        List<int> corners = [];
+        for (int vertex = 0; vertex < Line * Line; vertex++)
+        {
+            double x = (2.0 * (vertex % Line) / Side) - 1, z = (2.0 * (vertex / Line) / Side) - 1;
+            (positions[3 * vertex], positions[(3 * vertex) + 1], positions[(3 * vertex) + 2]) = (x, 0.1 * Math.Sin(9 * x) * Math.Cos(7 * z), z);
+            if (vertex % Line < Side && vertex / Line < Side)
+            {
+                corners.AddRange([vertex, vertex + Line, vertex + 1, vertex + 1, vertex + Line, vertex + Line + 1]);
+            }
+        }
+
+        Intensity[] Show(bool isAlone)
+        {
+            Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(0, 1.5, 2), Point3D.Origin, 40) };
+            scene.Add(new TriangleMesh(positions, [.. corners]), new Material { Diffuse = Intensity.Grey(0.7f) });
+            if (!isAlone)
+            {
+                scene.Add(new TriangleMesh([0, 90, 0, 1, 90, 0, 0, 91, 0], [0, 1, 2]), new Material());
+            }
+
+            scene.Lights.Add(new PointLight(new Point3D(2, 0.4, 1), Intensity.White));
+            return Renderer.Render(scene, new RenderOptions { Width = 160, Height = 120, Precision = precision }).Picture.Pixels.ToArray();
+        }
+
+        Assert.Equal(Show(isAlone: false), Show(isAlone: true));
+    }
+
+    /// <summary>The first triangle of a mesh without normals shades the second one, which the camera sees from under it.</summary>
+    [Theory]
+    [InlineData(Precision.Double)]
+    [InlineData(Precision.Single)]
+    public void Render_MeshWithoutNormals_IsShadedByItsFirstTriangle(Precision precision)
+    {
+        Scene scene = new() { Camera = new PerspectiveCamera(new Point3D(3, 0.8, 0), Point3D.Origin, 2), Background = Intensity.White };
+        scene.Add(new TriangleMesh([-1, 1, -1, 1, 1, -1, 0, 1, 1, -9, 0, -9, 9, 0, -9, 0, 0, 9], [0, 1, 2, 3, 4, 5]), new Material { Diffuse = Intensity.White });
+        scene.Lights.Add(new PointLight(new Point3D(0, 5, 0), Intensity.White));
+        Assert.All(Renderer.Render(scene, new RenderOptions { Width = 8, Height = 8, Precision = precision }).Picture.Pixels.ToArray(), pixel => Assert.Equal(Intensity.Black, pixel));
+    }
 }
