@@ -24,13 +24,14 @@ public sealed class RandomSceneTests
     public void Render_WhatTheSchemaAllows_IsFiniteAndTheSameForAnyThreads(int batch)
     {
         int rendered = 0;
+        string folder = Path.GetDirectoryName(Path.GetFullPath(SampleScenes.File("scene.schema.json")))!;
         for (int seed = batch * ScenesInABatch; seed < (batch + 1) * ScenesInABatch; seed++)
         {
             string json = RandomScene.Create(seed);
             LoadedScene scene;
             try
             {
-                scene = SceneFile.Read(new SceneSource("s.json", Encoding.UTF8.GetBytes(json)), Path.GetDirectoryName(SampleScenes.File("scene.schema.json"))!, SceneLoadOptions.Default);
+                scene = SceneFile.Read(new SceneSource("s.json", Encoding.UTF8.GetBytes(json)), folder, SceneLoadOptions.Default);
             }
             catch (SceneFileException refusal)
             {
