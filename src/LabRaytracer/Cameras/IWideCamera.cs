@@ -6,12 +6,15 @@ internal interface IWideCamera
     /// <summary>Rays of the positions (x, y), pixels from the top-left corner, of a picture of the given size.</summary>
     /// <param name="x">Columns of horizontal positions.</param>
     /// <param name="y">Columns of vertical positions.</param>
-    /// <param name="rays">Where origins and directions go: six columns (origin x, y, z, direction x, y, z).</param>
+    /// <param name="rays">Where origins and directions go: six columns (origin x, y, z, direction x, y, z). Of cameras with <see cref="HasOneOrigin"/>, the first three may be null.</param>
     /// <param name="packets">Groups of lanes.</param>
     /// <param name="width">Width of the whole picture, pixels.</param>
     /// <param name="height">Height of the whole picture, pixels.</param>
     unsafe void Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height)
         where R : unmanaged, IReal<R>;
+
+    /// <summary>Tells whether all rays of all pictures start at the same point. Default: no.</summary>
+    bool HasOneOrigin => false;
 
     /// <summary>Bounds of all rays through a rectangle of the picture, if they are known without looking at each. Default: they are not.</summary>
     /// <param name="left">Least x, pixels from the left.</param>

@@ -48,6 +48,8 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
     /// <inheritdoc/>
     public override RayDifferential DifferentialAt(double x, double y, int width, int height) => ScalarCamera.DifferentialAt(this, x, y, width, height);
 
+    bool IWideCamera.HasOneOrigin => true;
+
     unsafe void IWideCamera.Rays<R>(R* x, R* y, in RayColumns<R> rays, int packets, int width, int height) => Aim(x, y, rays, packets, width, height);
 
     /// <remarks>Before they are normalised, directions are linear in x and y: the corners of the rectangle bound them. Their length is that of (1, aside, above).</remarks>
@@ -90,9 +92,13 @@ public sealed class PerspectiveCamera : Camera, IWideCamera
             rays.DirectionX[packet] = dx * toUnit;
             rays.DirectionY[packet] = dy * toUnit;
             rays.DirectionZ[packet] = dz * toUnit;
-            rays.OriginX[packet] = R.Of(Eye.X);
-            rays.OriginY[packet] = R.Of(Eye.Y);
-            rays.OriginZ[packet] = R.Of(Eye.Z);
+        }
+
+        if (rays.OriginX != null)
+        {
+            new Span<R>(rays.OriginX, packets).Fill(R.Of(Eye.X));
+            new Span<R>(rays.OriginY, packets).Fill(R.Of(Eye.Y));
+            new Span<R>(rays.OriginZ, packets).Fill(R.Of(Eye.Z));
         }
     }
 

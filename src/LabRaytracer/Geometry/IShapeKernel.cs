@@ -58,6 +58,14 @@ internal interface IShapeKernel
         where P : struct, IParameters<F> => F.True;
 
     /// <summary>
+    /// A quick look at many rays at once: false only where <see cref="Intersect"/> is certain to find no hit before the limit of any of them, whatever its precision.
+    /// Default: it may find some. Only asked where there is a quick look.
+    /// </summary>
+    /// <param name="numbers">The shape's numbers.</param>
+    /// <param name="bounds">Bounds of the rays, in the space of the shape.</param>
+    static virtual bool MayMeet(ReadOnlySpan<double> numbers, in RayBounds bounds) => true;
+
+    /// <summary>
     /// The ray parameters of hits as accurate as is promised. <see cref="Intersect"/>, which looks at every candidate, may leave the hard ones rough:
     /// it decides hit or miss; the nearest hit alone pays for its last digits.
     /// </summary>

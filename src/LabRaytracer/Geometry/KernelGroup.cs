@@ -8,7 +8,7 @@ namespace LabRaytracer;
 /// <typeparam name="F">Float lanes of the same width.</typeparam>
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
 [SkipLocalsInit]
-internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
+internal sealed unsafe partial class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
     where K : struct, IShapeKernel
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
@@ -142,41 +142,6 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
         }
     }
 
-    /// <summary>Lists the groups of lanes that a quick look cannot tell to miss.</summary>
-    /// <returns>How many.</returns>
-    private int Look(int member, RayBatch<R, F, I> rays, int first, int end, int* seen)
-    {
-        bool isSphere = !K.HasQuickLook || typeof(K) == typeof(SphereKernel);
-        int at = member * SphereKernel.ParameterCount;
-        if (isSphere && rays.Bounds is { } bounds && bounds[first / Looks].Sense != 0)
-        {
-            rays.NarrowDirections(first, end);
-            ApexLook look = new(bounds[first / Looks], new Point3D(_looks[at], _looks[at + 1], _looks[at + 2]), _looks[at + 3]);
-            return look.Run(rays.SingleDirections, first, end, seen);
-        }
-
-        rays.Narrow(first, end);
-        return K.HasQuickLook
-            ? Look<K>(new SharedParameters<F, F, I>(_singles, member * K.ParameterCount), rays, first, end, seen)
-            : Look<SphereKernel>(new SharedParameters<F, F, I>(_singles, at), rays, first, end, seen);
-    }
-
-    private static int EndOfLook(int first, int end) => Math.Min(((first / Looks) + 1) * Looks, end);
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Look<L>(SharedParameters<F, F, I> shape, RayBatch<R, F, I> rays, int first, int end, int* seen)
-        where L : struct, IShapeKernel
-    {
-        int count = 0;
-        for (int packet = first; packet < end; packet++)
-        {
-            seen[count] = packet;
-            count += F.Any(L.MayHit(shape, rays.LoadSingle(packet))) ? 1 : 0;
-        }
-
-        return count;
-    }
-
     public override void Surface(
         RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int* memberOfObject, SurfaceBatch<R, F, I> surfaces, SurfaceNeeds needs)
     {
@@ -282,18 +247,5 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             hits.Refined += refined == R.Take(hits.T, order[first + lane]) ? 0 : 1;
             R.Put(hits.T, order[first + lane], refined);
         }
-    }
-
-    /// <summary>Centre and radius of a sphere around a box; the radius is infinite for unbounded boxes.</summary>
-    private static ReadOnlySpan<double> BoundingSphere(Bounds box)
-    {
-        if (!box.IsFinite)
-        {
-            return new double[] { 0, 0, 0, double.PositiveInfinity };
-        }
-
-        Vector3D half = (box.Max - box.Min) / 2;
-        Point3D center = box.Min + half;
-        return new double[] { center.X, center.Y, center.Z, half.Length * (1 + 1e-6) };
     }
 }

@@ -100,6 +100,9 @@ internal readonly unsafe struct PlaneKernel : IShapeKernel
         return unsure | (F.Less(height, F.Zero) ^ F.Less(approach, F.Zero));
     }
 
+    public static bool MayMeet(ReadOnlySpan<double> numbers, in RayBounds bounds) =>
+        bounds.MayMeetPlane(new Point3D(numbers[Point], numbers[Point + 1], numbers[Point + 2]), new Vector3D(numbers[Normal], numbers[Normal + 1], numbers[Normal + 2]));
+
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Surface<R, P>(in P shape, in RayLanes<R> ray, ref R t, out SurfaceLanes<R> s)
         where R : unmanaged, IReal<R>

@@ -78,6 +78,33 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     /// <summary>Turns off (limit below 0) the rays in groups of lanes [firstPacket, endPacket) that any object blocks before their limit.</summary>
     public void Block(RayBatch<R, F, I> rays, int firstPacket, int endPacket) => Run(rays, null, firstPacket, endPacket);
 
+    /// <summary>Tells whether no object can meet any of some shadow rays; false where that takes long to find out.</summary>
+    /// <param name="bounds">Bounds of the rays.</param>
+    /// <param name="source">Number of the object whose outer side all of them leave, or -1.</param>
+    public unsafe bool IsClear(in RayBounds bounds, int source)
+    {
+        foreach (BvhSceneEntry<R, F, I> entry in _outside)
+        {
+            if (entry.Group.MayBlock(entry.Member, bounds, source))
+            {
+                return false;
+            }
+        }
+
+        BundleCandidate* candidates = stackalloc BundleCandidate[BundleSearch.Most];
+        int count = _search.Find(RayBundle.Of(bounds, _search.Size), candidates);
+        for (int k = 0; k < count; k++)
+        {
+            BvhSceneEntry<R, F, I> entry = _inside[candidates[k].Place];
+            if (entry.Group.MayBlock(entry.Member, bounds, source))
+            {
+                return false;
+            }
+        }
+
+        return count >= 0;
+    }
+
     public void Dispose() => _tree?.Dispose();
 
     private static bool FitsTree(Bounds bounds) =>

@@ -26,6 +26,12 @@ internal abstract unsafe class ShapeGroup<R, F, I>
     /// <summary>Turns off (limit below 0) the rays in groups of lanes [first, end) that one member blocks before their limit.</summary>
     public abstract void Block(int member, RayBatch<R, F, I> rays, int first, int end);
 
+    /// <summary>Tells whether a member may block some shadow rays; false only where <see cref="Block"/> is certain to block none. Default: it may.</summary>
+    /// <param name="member">The member.</param>
+    /// <param name="bounds">Bounds of the rays.</param>
+    /// <param name="source">Number of the object whose outer side all of them leave, or -1.</param>
+    public virtual bool MayBlock(int member, in RayBounds bounds, int source) => true;
+
     /// <summary>Surface points of hits on members of this group, world space.</summary>
     /// <param name="rays">The rays that hit.</param>
     /// <param name="hits">Their hits.</param>

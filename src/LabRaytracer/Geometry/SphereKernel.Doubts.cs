@@ -5,6 +5,9 @@ namespace LabRaytracer;
 /// <content>Where rounding may decide, or shows.</content>
 internal readonly unsafe partial struct SphereKernel
 {
+    public static bool MayMeet(ReadOnlySpan<double> numbers, in RayBounds bounds) =>
+        bounds.MayMeetSphere(new Point3D(numbers[CenterX], numbers[CenterY], numbers[CenterZ]), numbers[Radius]);
+
     /// <summary>Mask: the discriminant, or the product of both ray parameters (how far outside the ray starts), is too near 0 for its sign to be certain.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static R IsClose<R>(in CentredRay<R> ray, R radius, R discriminant, R near, R far)

@@ -6,23 +6,72 @@ namespace LabRaytracer;
 /// <content>Shadow rays.</content>
 internal sealed unsafe partial class LightStage<R, F, I>
 {
-    private readonly ShadowBounds<R, F, I> _bounds = new(buffers.ShadowRays);
+    private const int Bundle = RayBatch<R, F, I>.BundlePackets;
 
-    /// <summary>Tells whether light and shadow rays of a lamp are made in one pass, with cosines.</summary>
-    private bool IsUsual(int lamp) => scene.Lights[lamp] is PointLight && scene.IsSkipping;
+    private readonly ShadowBounds<R, F, I> _bounds = new(buffers.ShadowRays);
+    private readonly HitBounds<R, F, I> _hits = new(buffers.ShadowRays.Capacity);
+
+    /// <summary>A lamp at a point, bundle after bundle: light straight away where nothing can be in its way, after shadow rays elsewhere.</summary>
+    private void AddPoint(PointLight lamp, CompiledMaterial material, int* order, int count, int packets)
+    {
+        RayBatch<R, F, I> rays = buffers.ShadowRays;
+        if (scene.IsSkipping && lamp.Intensity == Intensity.Black)
+        {
+            counters.ShadowRaysSkipped += count;
+            return;
+        }
+
+        // What looks at every ray on its way sees all of them at once.
+        bool isMatte = MatteLight.IsMatte(material) && scene.IsSkipping && tally is null && alpha is null;
+        int common = rays.CommonSource, aimed = 0;
+        rays.Count = packets * R.Width;
+        rays.Bounds = scene.IsSkipping ? _bounds.Bundles : null;
+        rays.Renew();
+        for (int first = 0; first < packets; first += Bundle)
+        {
+            int bundle = first / Bundle, end = Math.Min(first + Bundle, packets);
+            if (isMatte && IsOpen(lamp, bundle))
+            {
+                aimed += OpenLight.Add(lamp, material, buffers, first, end, count);
+                continue;
+            }
+
+            aimed += PointShadows.Aim(lamp, buffers, first, end, count, !scene.IsSkipping, out _bounds.Bundles[bundle]);
+            if (isMatte)
+            {
+                rays.CommonSource = _hits.Source(bundle);
+                Block(lamp, first, end);
+                MatteLight.Add(material, buffers, first, end, isKnown: true);
+            }
+        }
+
+        rays.CommonSource = common;
+        counters.ShadowRays += aimed;
+        counters.ShadowRaysSkipped += count - aimed;
+        tally?.Add(rays, order, count);
+        if (!isMatte)
+        {
+            Block(lamp, 0, packets);
+            Reflect(material, packets, count, knowsCosines: true);
+        }
+    }
+
+    /// <summary>Tells whether nothing can be between a lamp and the hits of a bundle.</summary>
+    private bool IsOpen(PointLight lamp, int bundle) => !lamp.CastsShadows || scene.IsClear(_hits.To(bundle, lamp.Position), _hits.Source(bundle));
+
+    /// <summary>Turns off, or dims, the shadow rays that something is in the way of.</summary>
+    private void Block(Light lamp, int first, int end)
+    {
+        if (lamp.CastsShadows)
+        {
+            scene.Block(buffers.ShadowRays, first, end);
+            alpha?.Run(buffers.ShadowRays, buffers.Light.Intensity);
+        }
+    }
 
     /// <summary>The light of one sample of a lamp, and shadow rays to it.</summary>
     private void Aim(int lamp, int sample, int count, int packets)
     {
-        if (IsUsual(lamp))
-        {
-            int aimed = PointShadows.Aim((PointLight)scene.Lights[lamp], buffers, _bounds.Bundles, packets, count);
-            counters.ShadowRays += aimed;
-            counters.ShadowRaysSkipped += count - aimed;
-            buffers.ShadowRays.Bounds = _bounds.Bundles;
-            return;
-        }
-
         lamps.Sample(lamp, sample, count, packets);
         AimShadowRays(packets, count);
         buffers.ShadowRays.Bounds = scene.IsSkipping ? _bounds.Find(scene.Lights[lamp]) : null;

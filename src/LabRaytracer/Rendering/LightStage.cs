@@ -15,6 +15,8 @@ internal sealed unsafe partial class LightStage<R, F, I>(
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
+    private readonly bool _hasPoints = scene.Lights.Any(light => light is PointLight);
+
     /// <summary>Starts the radiance with emission and ambient light, then adds every lamp's share.</summary>
     /// <param name="material">The material of the hits.</param>
     /// <param name="order">Numbers of the rays that hit.</param>
@@ -30,6 +32,11 @@ internal sealed unsafe partial class LightStage<R, F, I>(
 
         if (material.IsLit || !scene.IsSkipping)
         {
+            if (_hasPoints)
+            {
+                _hits.Find(buffers.Surfaces, buffers.ShadowRays.Source, packets);
+            }
+
             for (int lamp = 0; lamp < scene.Lights.Length; lamp++)
             {
                 AddLamp(lamp, material, order, count, packets);
@@ -118,35 +125,40 @@ internal sealed unsafe partial class LightStage<R, F, I>(
 
     private void AddLamp(int lamp, CompiledMaterial material, int* order, int count, int packets)
     {
+        if (scene.Lights[lamp] is PointLight point)
+        {
+            AddPoint(point, material, order, count, packets);
+            return;
+        }
+
         int samples = lamps.Begin(lamp, order, packets);
         counters.LampSamples += samples > 1 ? (long)count * samples : 0;
         for (int sample = 0; sample < samples; sample++)
         {
             Aim(lamp, sample, count, packets);
             tally?.Add(buffers.ShadowRays, order, count);
-            if (scene.Lights[lamp].CastsShadows)
-            {
-                scene.Block(buffers.ShadowRays);
-                alpha?.Run(buffers.ShadowRays, buffers.Light.Intensity);
-            }
-
+            buffers.ShadowRays.Renew();
+            Block(scene.Lights[lamp], 0, packets);
             if (!scene.IsSkipping)
             {
                 Forget(packets);
             }
 
-            if (material.IsLit)
-            {
-                Add(material, packets, count, IsUsual(lamp));
-            }
+            Reflect(material, packets, count, knowsCosines: false);
         }
     }
 
-    private void Add(CompiledMaterial material, int packets, int count, bool knowsCosines)
+    /// <summary>What the hits reflect of the light that arrives.</summary>
+    private void Reflect(CompiledMaterial material, int packets, int count, bool knowsCosines)
     {
+        if (!material.IsLit)
+        {
+            return;
+        }
+
         if (MatteLight.IsMatte(material))
         {
-            MatteLight.Add(material, buffers, packets, knowsCosines);
+            MatteLight.Add(material, buffers, 0, packets, knowsCosines);
             return;
         }
 

@@ -37,10 +37,11 @@ internal static unsafe class MatteLight
     /// <summary>Light of the current lamp where nothing blocks it.</summary>
     /// <param name="material">A matte material.</param>
     /// <param name="buffers">The hits; receives the light.</param>
-    /// <param name="packets">Groups of lanes.</param>
+    /// <param name="first">First group of lanes.</param>
+    /// <param name="end">Group of lanes after the last one.</param>
     /// <param name="isKnown">Whether the cosines are known already.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Add<R, F, I>(CompiledMaterial material, ShadingBuffers<R, F, I> buffers, int packets, bool isKnown)
+    public static void Add<R, F, I>(CompiledMaterial material, ShadingBuffers<R, F, I> buffers, int first, int end, bool isKnown)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -50,7 +51,7 @@ internal static unsafe class MatteLight
         ColorColumns<F> radiance = buffers.Radiance;
         R* limits = buffers.ShadowRays.Limit;
         PlainSlot<F> diffuse = new(material.Diffuse, buffers.Texels);
-        for (int packet = 0; packet < packets; packet++)
+        for (int packet = first; packet < end; packet++)
         {
             F visible = R.MaskToSingle(R.Less(R.Zero, limits[packet]));
             if (!F.Any(visible))

@@ -4,23 +4,24 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>The usual lamp, a point, in one pass over the hits: its light, the shadow rays to it and their bounds.</summary>
-/// <remarks>The bits of three passes (<see cref="LightFormulas"/>, then shadow rays, then <see cref="ShadowBounds{R, F, I}"/>); the divisions of one hide the rest.</remarks>
+/// <remarks>Rays and bounds have the bits of three passes (<see cref="LightFormulas"/>, then shadow rays, then <see cref="ShadowBounds{R, F, I}"/>); the divisions of one hide the rest.</remarks>
 [SkipLocalsInit]
 internal static unsafe class PointShadows
 {
-    /// <summary>Fills the light, with cosines, and the shadow rays of a group of hits; rays are off where the surface faces away or no light arrives.</summary>
+    /// <summary>Fills the light, with cosines, and the shadow rays of a bundle of hits; where the surface faces away or no light arrives, rays are off and the light is 0.</summary>
     /// <param name="lamp">The lamp.</param>
     /// <param name="buffers">The hits; receives light and rays.</param>
-    /// <param name="bounds">Receives bounds of the rays, bundle by bundle.</param>
-    /// <param name="packets">Groups of lanes.</param>
-    /// <param name="count">Number of hits.</param>
+    /// <param name="first">First group of lanes.</param>
+    /// <param name="end">Group of lanes after the last one.</param>
+    /// <param name="count">Number of all hits: lanes after them only fill their group.</param>
+    /// <param name="asksAll">Whether rays are on wherever there is a way to the lamp, though what they find does not matter.</param>
+    /// <param name="bounds">Bounds of the rays that are on.</param>
     /// <returns>Number of rays that are on.</returns>
-    public static int Aim<R, F, I>(PointLight lamp, ShadingBuffers<R, F, I> buffers, RayBounds[] bounds, int packets, int count)
+    public static int Aim<R, F, I>(PointLight lamp, ShadingBuffers<R, F, I> buffers, int first, int end, int count, bool asksAll, out RayBounds bounds)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        const int Bundle = RayBatch<R, F, I>.BundlePackets;
         SurfaceBatch<R, F, I> s = buffers.Surfaces;
         LightColumns<R, F> light = buffers.Light;
         RayBatch<R, F, I> rays = buffers.ShadowRays;
@@ -35,24 +36,15 @@ internal static unsafe class PointShadows
             new(rays.OriginX, rays.OriginY, rays.OriginZ),
             rays.Limit);
         PointLight.Formula formula = lamp.Own;
-        int aimed = 0;
-        for (int first = 0; first < packets; first += Bundle)
-        {
-            int end = Math.Min(first + Bundle, packets);
 
-            // Eight doubles are two registers of which there are few: half as many lanes at a time stay in them.
-            aimed += typeof(R) == typeof(Double8)
-                ? Each<Double4, Float4, Int4>(
-                    formula, Unsafe.As<AimColumns<R, F>, AimColumns<Double4, Float4>>(ref columns), 2 * first, 2 * end, count, out bounds[first / Bundle])
-                : Each<R, F, I>(formula, columns, first, end, count, out bounds[first / Bundle]);
-        }
-
-        rays.Count = packets * R.Width;
-        return aimed;
+        // Eight doubles are two registers of which there are few: half as many lanes at a time stay in them.
+        return typeof(R) == typeof(Double8)
+            ? Each<Double4, Float4, Int4>(formula, Unsafe.As<AimColumns<R, F>, AimColumns<Double4, Float4>>(ref columns), 2 * first, 2 * end, count, asksAll, out bounds)
+            : Each<R, F, I>(formula, columns, first, end, count, asksAll, out bounds);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Each<R, F, I>(in PointLight.Formula formula, in AimColumns<R, F> columns, int first, int end, int count, out RayBounds bounds)
+    private static int Each<R, F, I>(in PointLight.Formula formula, in AimColumns<R, F> columns, int first, int end, int count, bool asksAll, out RayBounds bounds)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -67,27 +59,25 @@ internal static unsafe class PointShadows
         {
             R x = to.Point.X[packet], y = to.Point.Y[packet], z = to.Point.Z[packet];
             R nx = to.Normal.X[packet], ny = to.Normal.Y[packet], nz = to.Normal.Z[packet];
-            lamp.Sample(x, y, z, out LightLanes<R> light);
-            to.Direction.Store(packet, light.DirectionX, light.DirectionY, light.DirectionZ);
-            F share = R.ToSingle(light.Share), r = red * share, g = green * share, b = blue * share;
-            (to.Intensity.R[packet], to.Intensity.G[packet], to.Intensity.B[packet]) = (r, g, b);
-            R lit = R.MaskFromSingle(F.Less(F.Zero, F.Max(r, F.Max(g, b)))) & R.Less(R.Zero, Lane.Dot(nx, ny, nz, light.DirectionX, light.DirectionY, light.DirectionZ));
-            F tiltX = R.ToSingle(nx), tiltY = R.ToSingle(ny), tiltZ = R.ToSingle(nz);
+            R toX = R.Of(lamp.Position.X) - x, toY = R.Of(lamp.Position.Y) - y, toZ = R.Of(lamp.Position.Z) - z;
+            R facing = Lane.Dot(nx, ny, nz, toX, toY, toZ), tilted = facing;
             if (to.Shading.X != to.Normal.X)
             {
-                R sx = to.Shading.X[packet], sy = to.Shading.Y[packet], sz = to.Shading.Z[packet];
-                lit &= R.Less(R.Zero, Lane.Dot(sx, sy, sz, light.DirectionX, light.DirectionY, light.DirectionZ));
-                (tiltX, tiltY, tiltZ) = (R.ToSingle(sx), R.ToSingle(sy), R.ToSingle(sz));
+                tilted = Lane.Dot(to.Shading.X[packet], to.Shading.Y[packet], to.Shading.Z[packet], toX, toY, toZ);
             }
 
-            to.Cosine[packet] = F.Max(
-                Lane.Dot(tiltX, tiltY, tiltZ, R.ToSingle(light.DirectionX), R.ToSingle(light.DirectionY), R.ToSingle(light.DirectionZ)), F.Zero);
+            R cosine = lamp.Arrive(toX, toY, toZ, facing, tilted, out R distance, out R share, out R lit), away = R.Less(R.Zero, distance);
+            to.Direction.Store(packet, R.Select(away, toX / distance, R.Zero), R.Select(away, toY / distance, R.Of(1)), R.Select(away, toZ / distance, R.Zero));
+            F visible = R.MaskToSingle(lit), part = R.ToSingle(share) & visible;
+            (to.Intensity.R[packet], to.Intensity.G[packet], to.Intensity.B[packet]) = (red * part, green * part, blue * part);
+            to.Cosine[packet] = R.ToSingle(cosine) & visible;
+            lit = asksAll ? away : lit;
             R slack = to.Slack[packet];
             x = R.Fma(slack, nx, x);
             y = R.Fma(slack, ny, y);
             z = R.Fma(slack, nz, z);
             to.Origin.Store(packet, x, y, z);
-            to.Limit[packet] = R.Select(lit, light.Distance, R.Of(-1));
+            to.Limit[packet] = R.Select(lit, distance, R.Of(-1));
             aimed += BitOperations.PopCount(R.Bits(lit) & Held(count - (packet * R.Width)));
 
             // All ones is a NaN, of which minima and maxima take the other operand.
@@ -110,7 +100,7 @@ internal static unsafe class PointShadows
     /// <summary>Bits of the lanes that hold hits.</summary>
     /// <param name="left">Number of hits from the first of these lanes on.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static uint Held(int left) => left >= 32 ? uint.MaxValue : left <= 0 ? 0 : (1u << left) - 1;
+    public static uint Held(int left) => left >= 32 ? uint.MaxValue : left <= 0 ? 0 : (1u << left) - 1;
 
     /// <summary>What is read and written.</summary>
     private readonly struct AimColumns<R, F>(

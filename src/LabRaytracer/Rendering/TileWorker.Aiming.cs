@@ -12,6 +12,12 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     /// <summary>Where the sample of the tile's first pixel is, if samples are at the same place in all pixels.</summary>
     private (double X, double Y)? _grid;
 
+    /// <summary>Groups of lanes that still hold the origin of all the camera's rays.</summary>
+    private int _originPackets;
+
+    /// <summary>Whether the limits of a whole tile's rays are still there.</summary>
+    private bool _hasLimits;
+
     private void FindRectangles()
     {
         for (int bundle = 0; bundle < _rectangles.Length; bundle++)
@@ -61,16 +67,29 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         AimCamera(_options.Samples);
         if (x + Side <= _area.X + _area.Width && y + Side <= _area.Y + _area.Height)
         {
-            new Span<R>(_rays.Limit, Pixels / R.Width).Fill(R.Of(double.PositiveInfinity));
+            if (!_hasLimits)
+            {
+                new Span<R>(_rays.Limit, Pixels / R.Width).Fill(R.Of(double.PositiveInfinity));
+                _hasLimits = true;
+            }
+
             return;
         }
 
+        _hasLimits = false;
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
             R inside = R.Less(_pixelX[packet], right) & R.Less(_pixelY[packet], bottom);
             _rays.Limit[packet] = R.Select(inside, R.Of(double.PositiveInfinity), R.Of(-1));
         }
+    }
+
+    /// <summary>Tells that the rays have been overwritten.</summary>
+    private void ForgetRays()
+    {
+        _originPackets = 0;
+        _hasLimits = false;
     }
 
     /// <param name="samples">Samples of a pixel; their footprints share it.</param>
@@ -127,7 +146,14 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     {
         if (_scene.Camera is IWideCamera wide)
         {
-            wide.Rays(_sampleX, _sampleY, _rays.Columns, _rays.Packets, _options.Width, _options.Height);
+            RayColumns<R> columns = _rays.Columns;
+            if (wide.HasOneOrigin && _rays.Packets <= _originPackets)
+            {
+                columns.OriginX = columns.OriginY = columns.OriginZ = null;
+            }
+
+            _originPackets = Math.Max(_originPackets, _rays.Packets);
+            wide.Rays(_sampleX, _sampleY, columns, _rays.Packets, _options.Width, _options.Height);
             return;
         }
 

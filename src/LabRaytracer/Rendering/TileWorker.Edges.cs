@@ -55,6 +55,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
 
             AimRays();
             _rays.PadTail();
+            ForgetRays();
             Counters.Charge(RenderStage.Camera);
             _tracer.Look(_rays, edges, first);
         }

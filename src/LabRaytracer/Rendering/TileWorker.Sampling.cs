@@ -117,6 +117,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         {
             AimCamera(run.Samples);
             _rays.PadTail();
+            ForgetRays();
             Counters.Charge(RenderStage.Camera);
             TracePrimary();
             TraceSecondary();

@@ -124,12 +124,13 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
         _all.Nearest(rays, hits, 0, rays.Packets);
     }
 
-    /// <summary>Turns off the rays that something blocks before their limit.</summary>
-    public void Block(RayBatch<R, F, I> rays)
-    {
-        rays.Renew();
-        _casters.Block(rays, 0, rays.Packets);
-    }
+    /// <summary>Turns off the rays in groups of lanes [first, end) that something blocks before their limit.</summary>
+    public void Block(RayBatch<R, F, I> rays, int first, int end) => _casters.Block(rays, first, end);
+
+    /// <summary>Tells whether nothing opaque can block any of some shadow rays.</summary>
+    /// <param name="bounds">Bounds of the rays.</param>
+    /// <param name="source">Number of the object whose outer side all of them leave, or -1.</param>
+    public bool IsClear(in RayBounds bounds, int source) => _casters.IsClear(bounds, source);
 
     public void Dispose()
     {

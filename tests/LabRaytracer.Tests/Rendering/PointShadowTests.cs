@@ -15,8 +15,17 @@ public unsafe class PointShadowTests
     [InlineData(true, false)]
     public void Aim_AnyWidth_SameBitsAsOnePoint(bool fades, bool hasOwnShading) => new AimTest(fades, hasOwnShading).RunAllDoubles();
 
+    /// <summary>Hits that nothing can shade are lit in one pass; elsewhere the shadow rays are made first. The light must not tell which.</summary>
+    [Theory]
+    [InlineData(false, false)]
+    [InlineData(false, true)]
+    [InlineData(true, false)]
+    public void Add_NothingInTheWay_SameBitsAsWithShadowRays(bool fades, bool hasOwnShading) => new AimTest(fades, hasOwnShading) { IsOpen = true }.RunAllDoubles();
+
     private sealed class AimTest(bool fades, bool hasOwnShading) : ILaneTest
     {
+        public bool IsOpen { get; init; }
+
         private readonly PointLight _lamp = fades ? new PointLight(s_lamp.Position, s_lamp.Intensity) { Attenuation = new Attenuation(0.5, 0.25, 0.125) } : s_lamp;
 
         public void Run<R, F, I>()
@@ -25,14 +34,26 @@ public unsafe class PointShadowTests
             where I : unmanaged, IIndexLane<I>
         {
             Scene scene = new();
-            scene.Add(new InfinitePlane(), new Material());
+            Material material = new() { Diffuse = new Intensity(0.5f, 0.25f, 0.75f) };
+            scene.Add(new InfinitePlane(), material);
             using CompiledScene<R, F, I> compiled = new(scene, null, 1);
             using LaneMemory memory = new();
             ShadingBuffers<R, F, I> buffers = new(compiled, memory, Points, hasFootprints: false);
             buffers.Surfaces.SharesNormals = !hasOwnShading;
             (Point3D[] points, Vector3D[] normals, Vector3D[] shading) = Fill(buffers.Surfaces);
+            const int Bundle = 32;
             RayBounds[] bounds = new RayBounds[Points];
-            int aimed = PointShadows.Aim(_lamp, buffers, bounds, Points / R.Width, Hits);
+            int aimed = 0;
+            for (int first = 0; first < Points / R.Width; first += Bundle)
+            {
+                aimed += PointShadows.Aim(_lamp, buffers, first, Math.Min(first + Bundle, Points / R.Width), Hits, asksAll: false, out bounds[first / Bundle]);
+            }
+
+            if (IsOpen)
+            {
+                CheckOpen(compiled.Keys[0].Material, buffers, aimed);
+                return;
+            }
 
             Point3D[] origins = new Point3D[Points];
             bool[] isLit = new bool[Points];
@@ -45,13 +66,13 @@ public unsafe class PointShadowTests
                     Math.FusedMultiplyAdd(slack, normals[i].X, points[i].X), Math.FusedMultiplyAdd(slack, normals[i].Y, points[i].Y), Math.FusedMultiplyAdd(slack, normals[i].Z, points[i].Z));
                 Assert.Equal(new Ray(origins[i], light.Direction), buffers.ShadowRays[i]);
                 Assert.Equal(isLit[i] ? light.Distance : -1, R.Take(buffers.ShadowRays.Limit, i));
-                Assert.Equal(light.Intensity, buffers.Light.Intensity.Take(i));
-                Assert.Equal(Cosine(shading[i], light.Direction), ((float*)buffers.Light.Cosine)[i]);
+                Assert.Equal(isLit[i] ? light.Intensity : Intensity.Black, buffers.Light.Intensity.Take(i));
+                Assert.Equal(isLit[i] ? Cosine(shading[i], _lamp.Position - points[i]) : 0, ((float*)buffers.Light.Cosine)[i]);
             }
 
             Assert.Equal(isLit.Take(Hits).Count(lit => lit), aimed);
             Assert.InRange(aimed, 10, 50);
-            int bundle = RayBatch<R, F, I>.BundlePackets * R.Width;
+            int bundle = Bundle * R.Width;
             for (int first = 0; first < Points; first += bundle)
             {
                 Point3D[] lit = [.. Enumerable.Range(first, Math.Min(bundle, Points - first)).Where(i => isLit[i]).Select(i => origins[i])];
@@ -60,6 +81,25 @@ public unsafe class PointShadowTests
                 Assert.Equal((_lamp.Position - largest, _lamp.Position - least), (bounds[first / bundle].LeastDirection, bounds[first / bundle].LargestDirection));
                 Assert.True(bounds[first / bundle].Limit > 1);
             }
+        }
+
+        /// <summary>Light of all hits by way of the shadow rays, then without.</summary>
+        private void CheckOpen<R, F, I>(CompiledMaterial material, ShadingBuffers<R, F, I> buffers, int aimed)
+            where R : unmanaged, ILane<R, F, I>
+            where F : unmanaged, ILane<F, F, I>
+            where I : unmanaged, IIndexLane<I>
+        {
+            int packets = Points / R.Width;
+            Intensity[] Radiance() => [.. Enumerable.Range(0, Points).Select(buffers.Radiance.Take)];
+            void Start() => Enumerable.Range(0, Points).ToList().ForEach(i => buffers.Radiance.Put(i, new Intensity(0.125f, i / 64f, 0)));
+            Start();
+            Intensity[] before = Radiance();
+            MatteLight.Add(material, buffers, 0, packets, isKnown: true);
+            Intensity[] expected = Radiance();
+            Start();
+            Assert.Equal(aimed, OpenLight.Add(_lamp, material, buffers, 0, packets, Hits));
+            Assert.Equal(expected, Radiance());
+            Assert.InRange(Enumerable.Range(0, Hits).Count(i => before[i] != expected[i]), aimed, aimed);
         }
 
         /// <summary>The first point is the lamp itself, where no light arrives.</summary>
@@ -92,10 +132,10 @@ public unsafe class PointShadowTests
 
         private static double Slack(int i) => 1e-3 * (i + 1);
 
-        private static float Cosine(Vector3D a, Vector3D b)
+        private static float Cosine(Vector3D normal, Vector3D way)
         {
-            float z = (float)a.Z * (float)b.Z;
-            return Math.Max(MathF.FusedMultiplyAdd((float)a.X, (float)b.X, MathF.FusedMultiplyAdd((float)a.Y, (float)b.Y, z)), 0);
+            static double Dot(Vector3D a, Vector3D b) => Math.FusedMultiplyAdd(a.X, b.X, Math.FusedMultiplyAdd(a.Y, b.Y, a.Z * b.Z));
+            return (float)(Dot(normal, way) / Math.Sqrt(Dot(way, way)));
         }
     }
 }
