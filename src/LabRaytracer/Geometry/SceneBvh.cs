@@ -19,6 +19,9 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     /// <summary>Fewer bounded objects are looked at by every ray, unless bounds of the rays are known: finding them costs as much.</summary>
     private const int LeastBundled = 3;
 
+    /// <summary>Most objects that are listed as possible blockers.</summary>
+    public const int MostBlockers = BundleSearch.Most + 4;
+
     /// <summary>Larger coordinates would overflow in the floats of the tree.</summary>
     private const double LargestCoordinate = 1e18;
 
@@ -78,34 +81,49 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
     /// <summary>Turns off (limit below 0) the rays in groups of lanes [firstPacket, endPacket) that any object blocks before their limit.</summary>
     public void Block(RayBatch<R, F, I> rays, int firstPacket, int endPacket) => Run(rays, null, firstPacket, endPacket);
 
-    /// <summary>Tells whether no object can meet any of some shadow rays; false where that takes long to find out.</summary>
+    /// <summary>Lists the objects that may block any of some shadow rays.</summary>
     /// <param name="bounds">Bounds of the rays.</param>
     /// <param name="source">Number of the object whose outer side all of them leave, or -1.</param>
-    public unsafe bool IsClear(in RayBounds bounds, int source)
+    /// <param name="found">Receives the objects; room for <see cref="MostBlockers"/>.</param>
+    /// <returns>How many; -1 where they are too many.</returns>
+    public unsafe int FindBlockers(in RayBounds bounds, int source, BundleCandidate* found)
     {
-        foreach (BvhSceneEntry<R, F, I> entry in _outside)
+        int count = 0, listed = _search.Find(RayBundle.Of(bounds, _search.Size), found);
+        for (int k = 0; k < listed; k++)
         {
-            if (entry.Group.MayBlock(entry.Member, bounds, source))
+            found[count] = found[k];
+            count += MayBlock(_inside[found[k].Place], bounds, source) ? 1 : 0;
+        }
+
+        for (int place = 0; place < _outside.Length && listed >= 0; place++)
+        {
+            if (MayBlock(_outside[place], bounds, source))
             {
-                return false;
+                if (count == MostBlockers)
+                {
+                    return -1;
+                }
+
+                found[count++] = new BundleCandidate(~place, 0);
             }
         }
 
-        BundleCandidate* candidates = stackalloc BundleCandidate[BundleSearch.Most];
-        int count = _search.Find(RayBundle.Of(bounds, _search.Size), candidates);
+        return listed < 0 ? -1 : count;
+    }
+
+    /// <summary>Turns off the rays in groups of lanes [first, end) that any of the objects from <see cref="FindBlockers"/> blocks before their limit.</summary>
+    public unsafe void Block(RayBatch<R, F, I> rays, int first, int end, BundleCandidate* found, int count)
+    {
         for (int k = 0; k < count; k++)
         {
-            BvhSceneEntry<R, F, I> entry = _inside[candidates[k].Place];
-            if (entry.Group.MayBlock(entry.Member, bounds, source))
-            {
-                return false;
-            }
+            int place = found[k].Place;
+            Visit(place < 0 ? _outside[~place] : _inside[place], rays, null, rays.Limit, found[k].Start, first, end);
         }
-
-        return count >= 0;
     }
 
     public void Dispose() => _tree?.Dispose();
+
+    private static bool MayBlock(in BvhSceneEntry<R, F, I> entry, in RayBounds bounds, int source) => entry.Group.MayBlock(entry.Member, bounds, source);
 
     private static bool FitsTree(Bounds bounds) =>
         bounds.IsFinite && Fits(bounds.Min) && Fits(bounds.Max);

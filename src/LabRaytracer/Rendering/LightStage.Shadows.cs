@@ -27,10 +27,12 @@ internal sealed unsafe partial class LightStage<R, F, I>
         rays.Count = packets * R.Width;
         rays.Bounds = scene.IsSkipping ? _bounds.Bundles : null;
         rays.Renew();
+        BundleCandidate* blockers = stackalloc BundleCandidate[SceneBvh<R, F, I>.MostBlockers];
         for (int first = 0; first < packets; first += Bundle)
         {
             int bundle = first / Bundle, end = Math.Min(first + Bundle, packets);
-            if (isMatte && IsOpen(lamp, bundle))
+            int found = isMatte ? FindBlockers(lamp, bundle, blockers) : -1;
+            if (found == 0)
             {
                 aimed += OpenLight.Add(lamp, material, buffers, first, end, count);
                 continue;
@@ -40,7 +42,7 @@ internal sealed unsafe partial class LightStage<R, F, I>
             if (isMatte)
             {
                 rays.CommonSource = _hits.Source(bundle);
-                Block(lamp, first, end);
+                Block(first, end, blockers, found);
                 MatteLight.Add(material, buffers, first, end, isKnown: true);
             }
         }
@@ -56,8 +58,22 @@ internal sealed unsafe partial class LightStage<R, F, I>
         }
     }
 
-    /// <summary>Tells whether nothing can be between a lamp and the hits of a bundle.</summary>
-    private bool IsOpen(PointLight lamp, int bundle) => !lamp.CastsShadows || scene.IsClear(_hits.To(bundle, lamp.Position), _hits.Source(bundle));
+    /// <summary>Lists what may be between a lamp and the hits of a bundle; -1 where that is much.</summary>
+    private int FindBlockers(PointLight lamp, int bundle, BundleCandidate* found) =>
+        lamp.CastsShadows ? scene.FindBlockers(_hits.To(bundle, lamp.Position), _hits.Source(bundle), found) : 0;
+
+    /// <summary>Turns off the shadow rays that something is in the way of.</summary>
+    private void Block(int first, int end, BundleCandidate* blockers, int found)
+    {
+        if (found < 0)
+        {
+            scene.Block(buffers.ShadowRays, first, end);
+        }
+        else
+        {
+            scene.Block(buffers.ShadowRays, first, end, blockers, found);
+        }
+    }
 
     /// <summary>Turns off, or dims, the shadow rays that something is in the way of.</summary>
     private void Block(Light lamp, int first, int end)

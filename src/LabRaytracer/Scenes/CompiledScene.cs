@@ -127,10 +127,11 @@ internal sealed unsafe class CompiledScene<R, F, I> : IDisposable
     /// <summary>Turns off the rays in groups of lanes [first, end) that something blocks before their limit.</summary>
     public void Block(RayBatch<R, F, I> rays, int first, int end) => _casters.Block(rays, first, end);
 
-    /// <summary>Tells whether nothing opaque can block any of some shadow rays.</summary>
-    /// <param name="bounds">Bounds of the rays.</param>
-    /// <param name="source">Number of the object whose outer side all of them leave, or -1.</param>
-    public bool IsClear(in RayBounds bounds, int source) => _casters.IsClear(bounds, source);
+    /// <summary>Lists the opaque objects that may block any of some shadow rays: <see cref="SceneBvh{R, F, I}.FindBlockers"/>.</summary>
+    public int FindBlockers(in RayBounds bounds, int source, BundleCandidate* found) => _casters.FindBlockers(bounds, source, found);
+
+    /// <summary>Turns off the rays in groups of lanes [first, end) that any of those objects blocks before their limit.</summary>
+    public void Block(RayBatch<R, F, I> rays, int first, int end, BundleCandidate* found, int count) => _casters.Block(rays, first, end, found, count);
 
     public void Dispose()
     {
