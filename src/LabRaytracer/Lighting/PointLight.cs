@@ -59,20 +59,14 @@ public sealed class PointLight : Light, IWideLight
         /// <param name="x">To the lamp.</param>
         /// <param name="y">To the lamp.</param>
         /// <param name="z">To the lamp.</param>
-        /// <param name="facing">Scalar products with the geometric normals.</param>
-        /// <param name="tilted">Scalar products with the normals for shading.</param>
-        /// <param name="distance">Lengths.</param>
-        /// <param name="share">Shares of the intensity that arrive.</param>
-        /// <param name="lit">Mask of points away from the lamp, of surfaces that face it.</param>
-        /// <returns>Cosines between the vectors and the normals for shading; of no meaning outside the mask.</returns>
+        /// <param name="distance">Their lengths.</param>
+        /// <returns>Shares of the intensity that arrive.</returns>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public R Arrive<R>(R x, R y, R z, R facing, R tilted, out R distance, out R share, out R lit)
+        public R Share<R>(R x, R y, R z, out R distance)
             where R : unmanaged, IReal<R>
         {
             distance = R.Sqrt(Lane.Dot(x, y, z, x, y, z));
-            share = Fades ? LightFormulas.Fade(Attenuation, distance) : R.Of(1);
-            lit = R.Less(R.Zero, distance) & R.Less(R.Zero, facing) & R.Less(R.Zero, tilted);
-            return tilted / distance;
+            return Fades ? LightFormulas.Fade(Attenuation, distance) : R.Of(1);
         }
     }
 }

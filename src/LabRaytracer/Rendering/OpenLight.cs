@@ -51,14 +51,16 @@ internal static unsafe class OpenLight
         for (int packet = first; packet < end; packet++)
         {
             R x = R.Of(lamp.Position.X) - at.Point.X[packet], y = R.Of(lamp.Position.Y) - at.Point.Y[packet], z = R.Of(lamp.Position.Z) - at.Point.Z[packet];
-            R facing = Lane.Dot(at.Normal.X[packet], at.Normal.Y[packet], at.Normal.Z[packet], x, y, z), tilted = facing;
+            R nx = at.Normal.X[packet], ny = at.Normal.Y[packet], nz = at.Normal.Z[packet];
+            R share = lamp.Share(x, y, z, out R distance), mask = R.Less(R.Zero, distance) & R.Less(R.Zero, Lane.Dot(nx, ny, nz, x, y, z));
             if (at.Shading.X != at.Normal.X)
             {
-                tilted = Lane.Dot(at.Shading.X[packet], at.Shading.Y[packet], at.Shading.Z[packet], x, y, z);
+                (nx, ny, nz) = (at.Shading.X[packet], at.Shading.Y[packet], at.Shading.Z[packet]);
+                mask &= R.Less(R.Zero, Lane.Dot(nx, ny, nz, x, y, z));
             }
 
-            R cosine = lamp.Arrive(x, y, z, facing, tilted, out _, out R share, out R mask);
-            F visible = R.MaskToSingle(mask), c = R.ToSingle(cosine) & visible, part = R.ToSingle(share) & visible, r = dr, g = dg, b = db;
+            F visible = R.MaskToSingle(mask), cosine = PointShadows.Cosine<R, F, I>(nx, ny, nz, x, y, z, distance) & visible, part = R.ToSingle(share) & visible;
+            F r = dr, g = dg, b = db;
             if (at.Texels.R != null)
             {
                 r *= at.Texels.R[packet];
@@ -66,9 +68,9 @@ internal static unsafe class OpenLight
                 b *= at.Texels.B[packet];
             }
 
-            at.Radiance.R[packet] = F.Fma(r * c, red * part, at.Radiance.R[packet]);
-            at.Radiance.G[packet] = F.Fma(g * c, green * part, at.Radiance.G[packet]);
-            at.Radiance.B[packet] = F.Fma(b * c, blue * part, at.Radiance.B[packet]);
+            at.Radiance.R[packet] = F.Fma(r * cosine, red * part, at.Radiance.R[packet]);
+            at.Radiance.G[packet] = F.Fma(g * cosine, green * part, at.Radiance.G[packet]);
+            at.Radiance.B[packet] = F.Fma(b * cosine, blue * part, at.Radiance.B[packet]);
             lit += BitOperations.PopCount(R.Bits(mask) & PointShadows.Held(count - (packet * R.Width)));
         }
 

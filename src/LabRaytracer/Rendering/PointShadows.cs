@@ -60,22 +60,23 @@ internal static unsafe class PointShadows
             R x = to.Point.X[packet], y = to.Point.Y[packet], z = to.Point.Z[packet];
             R nx = to.Normal.X[packet], ny = to.Normal.Y[packet], nz = to.Normal.Z[packet];
             R toX = R.Of(lamp.Position.X) - x, toY = R.Of(lamp.Position.Y) - y, toZ = R.Of(lamp.Position.Z) - z;
-            R facing = Lane.Dot(nx, ny, nz, toX, toY, toZ), tilted = facing;
+            R share = lamp.Share(toX, toY, toZ, out R distance), away = R.Less(R.Zero, distance);
+            R lit = away & R.Less(R.Zero, Lane.Dot(nx, ny, nz, toX, toY, toZ));
             if (to.Shading.X != to.Normal.X)
             {
-                tilted = Lane.Dot(to.Shading.X[packet], to.Shading.Y[packet], to.Shading.Z[packet], toX, toY, toZ);
+                (nx, ny, nz) = (to.Shading.X[packet], to.Shading.Y[packet], to.Shading.Z[packet]);
+                lit &= R.Less(R.Zero, Lane.Dot(nx, ny, nz, toX, toY, toZ));
             }
 
-            R cosine = lamp.Arrive(toX, toY, toZ, facing, tilted, out R distance, out R share, out R lit), away = R.Less(R.Zero, distance);
-            to.Direction.Store(packet, R.Select(away, toX / distance, R.Zero), R.Select(away, toY / distance, R.Of(1)), R.Select(away, toZ / distance, R.Zero));
             F visible = R.MaskToSingle(lit), part = R.ToSingle(share) & visible;
+            to.Cosine[packet] = Cosine<R, F, I>(nx, ny, nz, toX, toY, toZ, distance) & visible;
             (to.Intensity.R[packet], to.Intensity.G[packet], to.Intensity.B[packet]) = (red * part, green * part, blue * part);
-            to.Cosine[packet] = R.ToSingle(cosine) & visible;
+            to.Direction.Store(packet, R.Select(away, toX / distance, R.Zero), R.Select(away, toY / distance, R.Of(1)), R.Select(away, toZ / distance, R.Zero));
             lit = asksAll ? away : lit;
             R slack = to.Slack[packet];
-            x = R.Fma(slack, nx, x);
-            y = R.Fma(slack, ny, y);
-            z = R.Fma(slack, nz, z);
+            x = R.Fma(slack, to.Normal.X[packet], x);
+            y = R.Fma(slack, to.Normal.Y[packet], y);
+            z = R.Fma(slack, to.Normal.Z[packet], z);
             to.Origin.Store(packet, x, y, z);
             to.Limit[packet] = R.Select(lit, distance, R.Of(-1));
             aimed += BitOperations.PopCount(R.Bits(lit) & Held(count - (packet * R.Width)));
@@ -95,6 +96,19 @@ internal static unsafe class PointShadows
             new Point3D(Lane.Least(leastX), Lane.Least(leastY), Lane.Least(leastZ)),
             new Point3D(R.Largest(largestX), R.Largest(largestY), R.Largest(largestZ)));
         return aimed;
+    }
+
+    /// <summary>Cosines of the angles between normals and ways to the lamp, in floats, not below 0; of no meaning at the lamp itself.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static F Cosine<R, F, I>(R normalX, R normalY, R normalZ, R toX, R toY, R toZ, R distance)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        // Rounded to float, quotients and products of doubles are the same numbers but for one in many millions.
+        R toUnit = R.Of(1) / distance;
+        R x = R.IsSingle ? toX / distance : toX * toUnit, y = R.IsSingle ? toY / distance : toY * toUnit, z = R.IsSingle ? toZ / distance : toZ * toUnit;
+        return F.Max(Lane.Dot(R.ToSingle(normalX), R.ToSingle(normalY), R.ToSingle(normalZ), R.ToSingle(x), R.ToSingle(y), R.ToSingle(z)), F.Zero);
     }
 
     /// <summary>Bits of the lanes that hold hits.</summary>

@@ -15,9 +15,6 @@ internal sealed unsafe partial class TileWorker<R, F, I>
     /// <summary>Groups of lanes that still hold the origin of all the camera's rays.</summary>
     private int _originPackets;
 
-    /// <summary>Whether the limits of a whole tile's rays are still there.</summary>
-    private bool _hasLimits;
-
     private void FindRectangles()
     {
         for (int bundle = 0; bundle < _rectangles.Length; bundle++)
@@ -67,29 +64,16 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         AimCamera(_options.Samples);
         if (x + Side <= _area.X + _area.Width && y + Side <= _area.Y + _area.Height)
         {
-            if (!_hasLimits)
-            {
-                new Span<R>(_rays.Limit, Pixels / R.Width).Fill(R.Of(double.PositiveInfinity));
-                _hasLimits = true;
-            }
-
+            new Span<R>(_rays.Limit, Pixels / R.Width).Fill(R.Of(double.PositiveInfinity));
             return;
         }
 
-        _hasLimits = false;
         R right = R.Of(_area.X + _area.Width - x), bottom = R.Of(_area.Y + _area.Height - y);
         for (int packet = 0; packet < Pixels / R.Width; packet++)
         {
             R inside = R.Less(_pixelX[packet], right) & R.Less(_pixelY[packet], bottom);
             _rays.Limit[packet] = R.Select(inside, R.Of(double.PositiveInfinity), R.Of(-1));
         }
-    }
-
-    /// <summary>Tells that the rays have been overwritten.</summary>
-    private void ForgetRays()
-    {
-        _originPackets = 0;
-        _hasLimits = false;
     }
 
     /// <param name="samples">Samples of a pixel; their footprints share it.</param>

@@ -55,7 +55,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
 
             AimRays();
             _rays.PadTail();
-            ForgetRays();
+            _originPackets = 0;
             Counters.Charge(RenderStage.Camera);
             _tracer.Look(_rays, edges, first);
         }

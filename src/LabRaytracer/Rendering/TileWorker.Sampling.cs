@@ -117,7 +117,7 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         {
             AimCamera(run.Samples);
             _rays.PadTail();
-            ForgetRays();
+            _originPackets = 0;
             Counters.Charge(RenderStage.Camera);
             TracePrimary();
             TraceSecondary();

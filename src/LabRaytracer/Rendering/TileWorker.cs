@@ -203,7 +203,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         _rays.Bounds = null;
         _rays.Pinhole = null;
         _hasPrimaryOrder = false;
-        ForgetRays();
+        _originPackets = 0;
         for (int i = 0; i < count; i++)
         {
             ref readonly SecondaryRay secondary = ref _queue[first + i];

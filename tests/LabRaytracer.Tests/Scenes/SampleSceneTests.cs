@@ -18,6 +18,21 @@ public sealed class SampleSceneTests
         Assert.NotEqual("", SceneDescription.Read(SampleScenes.File(name)));
     }
 
+    /// <summary>One worker renders six tiles one after the other: the last one must not show what the ones before left in its columns.</summary>
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void Scene_LastTile_HasTheBitsOfATileAlone(string name)
+    {
+        LoadedScene scene = SceneFile.Load(SampleScenes.File(name));
+        Picture Show(PixelRectangle? crop) =>
+            Renderer.Render(scene.Scene, new RenderOptions { Width = 96, Height = 64, MaxDepth = scene.RenderOptions.MaxDepth, Threads = 1, Crop = crop }).Picture;
+        Picture whole = Show(null), part = Show(new PixelRectangle(70, 37, 25, 20));
+        for (int row = 0; row < part.Height; row++)
+        {
+            Assert.Equal(whole.Row(37 + row).Slice(70, part.Width).ToArray(), part.Row(row).ToArray());
+        }
+    }
+
     [Fact]
     public void Names_OfTheScenes_HaveDifferentNumbers()
     {
