@@ -13,12 +13,12 @@ internal unsafe struct EwaInnerBlocks(float* center, nint stride) : IEwaBlocks
     public void Row(int y) => _row = center + (y * stride);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Read(int x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2)
+    public readonly void Add(int x, Float8 weights, ref Float8 sum, ref Float8 other)
     {
         Float8* lower = (Float8*)(_row + (MipPyramid.Channels * x)), upper = (Float8*)((float*)lower + stride);
-        lower0 = lower[0];
-        lower2 = lower[1];
-        upper0 = upper[0];
-        upper2 = upper[1];
+        EwaColors.Add(weights, lower[0], lower[1], upper[0], upper[1], ref sum, ref other);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Total(Float8 sum, Float8 other) => EwaColors.Total(sum, other);
 }

@@ -24,7 +24,17 @@ internal unsafe struct EwaOuterBlocks(EwaLevel texels, MipPyramid pyramid, int c
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Read(int x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2)
+    public readonly void Add(int x, Float8 weights, ref Float8 sum, ref Float8 other)
+    {
+        Read(x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
+        EwaColors.Add(weights, lower0, lower2, upper0, upper2, ref sum, ref other);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Total(Float8 sum, Float8 other) => EwaColors.Total(sum, other);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly void Read(int x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2)
     {
         int lowerColumn = texels.Column(_lowerColumn + x), upperColumn = texels.Column(_upperColumn + x);
         if ((uint)lowerColumn < _places && (uint)upperColumn < _places)

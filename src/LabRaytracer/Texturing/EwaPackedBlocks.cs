@@ -21,9 +21,19 @@ internal unsafe struct EwaPackedBlocks<TReader>(EwaLevel texels, TReader reader,
         _upperColumn = column + turn;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Add(int x, Float8 weights, ref Float8 sum, ref Float8 other)
+    {
+        Read(x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
+        EwaColors.Add(weights, lower0, lower2, upper0, upper2, ref sum, ref other);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 Total(Float8 sum, Float8 other) => EwaColors.Total(sum, other);
+
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public readonly void Read(int x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2)
+    private readonly void Read(int x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2)
     {
         Float8* colors = stackalloc Float8[3];
         Float8* block = stackalloc Float8[4];

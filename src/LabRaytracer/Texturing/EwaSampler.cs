@@ -18,19 +18,17 @@ internal sealed unsafe class EwaSampler<TReader>(
     TexelStore store, float[]? table, TReader reader, SamplingOptions options, MipPyramid pyramid) : MipSampler<TReader>(store, table, reader, options, pyramid)
     where TReader : struct, ITexelReader
 {
-    /// <summary>The most that the longer axis of a footprint may be of the shorter one.</summary>
-    public const int MaxAnisotropy = 64;
-
     /// <summary>Texels beside the levels that are there once more: as many as reach out of a level with a footprint up to sixteen times as long as wide.</summary>
     public const int Margin = 40;
 
     [SkipLocalsInit]
     protected override void Filter<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, in ColorColumns<F> colors, int packets)
     {
-        F* sizes = stackalloc F[packets];
+        F* sizes = stackalloc F[(1 + EwaSides<F>.Size) * packets], all = sizes + packets;
         for (int packet = 0; packet < packets; packet++)
         {
-            Sides<F> sides = new(lookups.Footprints, across, up, packet);
+            EwaSides<F> sides = new(all + (EwaSides<F>.Size * packet));
+            sides.Read(lookups.Footprints, across, up, packet);
             sizes[packet] = sides.LongerSquare;
         }
 
@@ -42,7 +40,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         {
             if (F.Any(F.Less(F.Of(1), sizes[packet])))
             {
-                fallbacks += Prepare<R, F, I>(lookups, across, up, packet, next);
+                fallbacks += Prepare<R, F, I>(lookups, across, up, packet, new(all + (EwaSides<F>.Size * packet)), next);
                 if (last >= 0)
                 {
                     Average<F, I>(group, next, across.Wrap, up.Wrap, colors, last);
@@ -64,12 +62,11 @@ internal sealed unsafe class EwaSampler<TReader>(
     /// <summary>Finds out what there is to read of the footprints of a group of lanes, where they are larger than a texel.</summary>
     /// <returns>How many were too long.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private int Prepare<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, int packet, EwaGroup<F> group)
+    private int Prepare<R, F, I>(in LookupBatch<R> lookups, in TexelAxis across, in TexelAxis up, int packet, EwaSides<F> sides, EwaGroup<F> group)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        Sides<F> sides = new(lookups.Footprints, across, up, packet);
         R u = lookups.Coordinates.U[packet], v = lookups.Coordinates.V[packet];
         F isLarge = F.Less(F.Of(1), sides.LongerSquare) & ~R.MaskToSingle(across.Outside(u) | up.Outside(v));
         F level = F.Select(isLarge, sides.Level(Pyramid.LevelCount - 1, out F isTooLong), F.Zero);
@@ -80,7 +77,7 @@ internal sealed unsafe class EwaSampler<TReader>(
         F columns = F.FromInt32(width), rows = F.FromInt32(height);
         R x = R.Fma(Place(across, u), R.FromSingle(columns), R.Of(-0.5)), y = R.Fma(Place(up, v), R.FromSingle(rows), R.Of(-0.5)), left = R.Floor(x), below = R.Floor(y);
         F* kernels = group.Kernels;
-        sides.Store(columns, rows, R.ToSingle(x - left), R.ToSingle(y - below), kernels);
+        sides.Store(columns / F.Of(across.Size), rows / F.Of(up.Size), R.ToSingle(x - left), R.ToSingle(y - below), kernels);
         I column = R.ToInt32(left), row = R.ToInt32(below);
         EwaPlace.Store(number, start, stride, column, row, group.Places);
         I isBetween = EwaPlace.IsInside(column, width, F.ToInt32(kernels[EwaKernel.ReachXNumber]), across.Wrap == TextureWrap.Repeat ? Pyramid.Margin : 0);
@@ -135,13 +132,8 @@ internal sealed unsafe class EwaSampler<TReader>(
             }
         }
 
-        for (; open != 0; open &= open - 1)
-        {
-            int lane = BitOperations.TrailingZeroCount(open);
-            means[lane] /= Float4.Of(Float4.Get(means[lane], 3));
-        }
-
-        LaneTriples.Turn(means, out F red, out F green, out F blue);
+        LaneTriples.Turn(means, out F red, out F green, out F blue, out F weight);
+        (red, green, blue) = (red / weight, green / weight, blue / weight);
         F isLarge = *group.IsLarge, share = *group.Share, isWhole = F.LessOrEqual(F.Of(1), share);
         Mix(ref colors.R[packet], red, share, isWhole, isLarge);
         Mix(ref colors.G[packet], green, share, isWhole, isLarge);
@@ -158,11 +150,15 @@ internal sealed unsafe class EwaSampler<TReader>(
     private void Require<F>(F level, F isRead)
         where F : unmanaged, IReal<F>
     {
-        Pyramid.Require((int)F.Largest(F.Select(isRead, level, F.Zero)), Threads);
+        int last = (int)F.Largest(F.Select(isRead, level, F.Zero)), first = 1;
+        Pyramid.Require(last, Threads);
         if (Pyramid.HasPicture && F.Any(isRead & F.Less(level, F.Of(1))))
         {
             Pyramid.RequirePicture();
+            first = 0;
         }
+
+        Pyramid.Grey.Require(first, last);
     }
 
     /// <summary>Asks the memory for the first texels of a lookup that will soon be summed: they lie far apart.</summary>
@@ -171,16 +167,17 @@ internal sealed unsafe class EwaSampler<TReader>(
         where F : unmanaged, IReal<F>
     {
         EwaPlace place = new(places, F.Width);
-        nint stride = MipPyramid.Channels * place.Stride;
-        float* row = Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel) + (((int*)rows)[0] * stride), pair = rows + (EwaRows.Lead * F.Width);
+        bool isGrey = Pyramid.Grey.Has(place.Level);
+        nint channels = isGrey ? 1 : MipPyramid.Channels, stride = channels * place.Stride;
+        float* row = (isGrey ? Pyramid.Grey.Texels : Pyramid.Texels) + (channels * place.Texel) + (((int*)rows)[0] * stride), pair = rows + (EwaRows.Lead * F.Width);
         for (int pairs = Math.Min(((int*)rows)[F.Width], EwaRows.Pairs); pairs > 0; pairs--)
         {
-            float* block = row + (MipPyramid.Channels * ((int*)pair)[0]);
+            float* block = row + (channels * ((int*)pair)[0]);
             for (int count = ((int*)pair)[F.Width]; count > 0; count--)
             {
                 CacheLine.Prefetch(block);
                 CacheLine.Prefetch(block + stride);
-                block += 4 * MipPyramid.Channels;
+                block += 4 * channels;
             }
 
             row += 2 * stride;
@@ -200,10 +197,15 @@ internal sealed unsafe class EwaSampler<TReader>(
             return OuterSum<F>(place, wrapU, wrapV, kernel, rows, first);
         }
 
+        bool isStraight = new EwaKernel(kernel, F.Width).Skew == 0;
+        if (Pyramid.Grey.Has(place.Level))
+        {
+            EwaGreyBlocks grey = new(Pyramid.Grey.Texels + place.Texel, place.Stride);
+            return isStraight ? EwaSums.Sum<EwaGreyBlocks, Straight, F>(grey, kernel, rows, first) : EwaSums.Sum<EwaGreyBlocks, Skewed, F>(grey, kernel, rows, first);
+        }
+
         EwaInnerBlocks inner = new(Pyramid.Texels + (MipPyramid.Channels * (nint)place.Texel), MipPyramid.Channels * place.Stride);
-        return new EwaKernel(kernel, F.Width).Skew == 0
-            ? EwaSums.Sum<EwaInnerBlocks, Straight, F>(inner, kernel, rows, first)
-            : EwaSums.Sum<EwaInnerBlocks, Skewed, F>(inner, kernel, rows, first);
+        return isStraight ? EwaSums.Sum<EwaInnerBlocks, Straight, F>(inner, kernel, rows, first) : EwaSums.Sum<EwaInnerBlocks, Skewed, F>(inner, kernel, rows, first);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -220,50 +222,5 @@ internal sealed unsafe class EwaSampler<TReader>(
         return new EwaKernel(kernel, F.Width).Skew == 0
             ? EwaSums.Sum<EwaOuterBlocks, Straight, F>(outer, kernel, rows, first)
             : EwaSums.Sum<EwaOuterBlocks, Skewed, F>(outer, kernel, rows, first);
-    }
-
-    /// <summary>Footprints of one group of lanes, texels of the picture.</summary>
-    private readonly struct Sides<F>
-        where F : unmanaged, IReal<F>
-    {
-        private readonly F _w, _h, _ax, _ay, _bx, _by;
-
-        public Sides(in FootprintColumns footprints, in TexelAxis across, in TexelAxis up, int packet)
-        {
-            _w = F.Of(across.Size);
-            _h = F.Of(up.Size);
-
-            // More than the whole picture is the whole picture.
-            _ax = Within(((F*)footprints.DuDx)[packet] * _w, _w);
-            _ay = Within(((F*)footprints.DvDx)[packet] * _h, _h);
-            _bx = Within(((F*)footprints.DuDy)[packet] * _w, _w);
-            _by = Within(((F*)footprints.DvDy)[packet] * _h, _h);
-            LongerSquare = EwaKernel.LongerSquare(_ax, _ay, _bx, _by);
-        }
-
-        /// <summary>Square of the longer axis; anything for footprints that are no numbers.</summary>
-        public F LongerSquare { get; }
-
-        /// <summary>The level, [0, last].</summary>
-        /// <param name="last">The highest one.</param>
-        /// <param name="isTooLong">Mask of lanes whose level is higher than their shorter axis asks for.</param>
-        public F Level(int last, out F isTooLong)
-        {
-            F area = F.Fma(_ax, _by, -(_ay * _bx)), shorter = area * area / LongerSquare, least = LongerSquare * F.Of(1.0 / (MaxAnisotropy * MaxAnisotropy));
-            isTooLong = F.Less(shorter, least) & F.Less(F.Of(4), least);
-            F size = F.Min(shorter, F.Max(shorter * F.Of(1.0 / 4), LongerSquare * F.Of(1.0 / 256)));
-            F level = F.Floor(F.Exponent(F.Max(F.Max(size, least), F.Of(1))) * F.Of(0.5));
-            return F.Max(F.Min(level, F.Of(last)), F.Zero);
-        }
-
-        /// <summary>Writes the weights of texels of a level.</summary>
-        public void Store(F columns, F rows, F centerX, F centerY, F* numbers)
-        {
-            F x = columns / _w, y = rows / _h;
-            EwaKernel.Store(_ax * x, _ay * y, _bx * x, _by * y, centerX, centerY, numbers);
-        }
-
-        /// <summary>A step no longer than the picture; what is not a number stays so.</summary>
-        private static F Within(F step, F size) => F.Min(size, F.Max(-size, step));
     }
 }

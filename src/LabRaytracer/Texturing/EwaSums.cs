@@ -25,7 +25,7 @@ internal static unsafe class EwaSums
         Float8 one = Float8.Of(1f), columns = Float8.Join(Float4.Iota(0), Float4.Iota(0)), up = Float8.Join(Float4.Zero, Float4.Of(1));
         Float8 sx = Float8.Of(weights.SX), tx = Float8.Of(weights.TX), stepS = sx * Float8.Of(4f), stepT = tx * Float8.Of(4f);
         Float8 blockS = Float8.Fma(columns, sx, up * Float8.Of(weights.SY)), blockT = Float8.Fma(columns, tx, up * Float8.Of(weights.TY));
-        Float8 endS = Float8.Of(weights.SEnd), endT = Float8.Of(weights.TEnd), even = Float8.Zero, odd = Float8.Zero;
+        Float8 endS = Float8.Of(weights.SEnd), endT = Float8.Of(weights.TEnd), sum = Float8.Zero, other = Float8.Zero;
         float skew = weights.Skew;
         int row = ((int*)rows)[0] + (2 * first), pairs = Math.Min(((int*)rows)[F.Width] - first, EwaRows.Pairs);
         float* pair = rows + (EwaRows.Lead * F.Width);
@@ -36,13 +36,8 @@ internal static unsafe class EwaSums
             own.Row(row);
             for (int count = ((int*)pair)[F.Width]; count > 0; count--)
             {
-                own.Read(column, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
                 Float8 shareS = Float8.Max(Float8.Min(endS - Float8.Abs(s), one), Float8.Zero), shareT = Float8.Max(Float8.Min(endT - Float8.Abs(t), one), Float8.Zero);
-                Float8 weight = TWeights.Joint(shareS, shareT, s ^ t, skew);
-                even = Float8.Fma(Float8.Spread(weight, 0), lower0, even);
-                odd = Float8.Fma(Float8.Spread(weight, 1), lower2, odd);
-                even = Float8.Fma(Float8.Spread(weight, 2), upper0, even);
-                odd = Float8.Fma(Float8.Spread(weight, 3), upper2, odd);
+                own.Add(column, TWeights.Joint(shareS, shareT, s ^ t, skew), ref sum, ref other);
                 s += stepS;
                 t += stepT;
                 column += 4;
@@ -52,7 +47,6 @@ internal static unsafe class EwaSums
             pair += EwaRows.PairNumbers * F.Width;
         }
 
-        Float8 sums = even + odd;
-        return Float8.Lower(sums) + Float8.Upper(sums);
+        return TBlocks.Total(sum, other);
     }
 }

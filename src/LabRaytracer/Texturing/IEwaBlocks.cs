@@ -1,17 +1,21 @@
 namespace LabRaytracer;
 
-/// <summary>Reads blocks of texels, four of a row and the four above them; a texel is red, green, blue, 1.</summary>
+/// <summary>Adds up blocks of texels by their weights, four of a row and the four above them.</summary>
 internal interface IEwaBlocks
 {
     /// <summary>Goes to two rows.</summary>
     /// <param name="y">The lower one, from the row of the centre.</param>
     void Row(int y);
 
-    /// <summary>Reads a block of the two rows.</summary>
+    /// <summary>Adds a block of the two rows.</summary>
     /// <param name="x">Its first column, from the column of the centre.</param>
-    /// <param name="lower0">Two texels of the lower row.</param>
-    /// <param name="lower2">The next two.</param>
-    /// <param name="upper0">Two texels of the upper row.</param>
-    /// <param name="upper2">The next two.</param>
-    void Read(int x, out Float8 lower0, out Float8 lower2, out Float8 upper0, out Float8 upper2);
+    /// <param name="weights">Weights of the lower row, then of the upper one.</param>
+    /// <param name="sum">One part of the sum.</param>
+    /// <param name="other">The other part.</param>
+    void Add(int x, Float8 weights, ref Float8 sum, ref Float8 other);
+
+    /// <summary>Red, green, blue and the sum of the weights.</summary>
+    /// <param name="sum">One part of the sum.</param>
+    /// <param name="other">The other part.</param>
+    static abstract Float4 Total(Float8 sum, Float8 other);
 }

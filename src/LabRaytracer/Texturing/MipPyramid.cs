@@ -68,6 +68,7 @@ internal sealed unsafe class MipPyramid
 
         // Not cleared: pages that no level is written to take no memory.
         Texels = (float*)NativeMemory.AlignedAlloc((nuint)(Channels * Math.Max(1, texels)) * sizeof(float), 64);
+        Grey = new GreyLevels(this, texels);
     }
 
     ~MipPyramid() => NativeMemory.AlignedFree(Texels);
@@ -97,6 +98,9 @@ internal sealed unsafe class MipPyramid
     /// The texels of all levels: red, green, blue and 1, side by side, so that a texel lies in one line of the cache and a weighted sum of texels adds up the weights too.
     /// </summary>
     public float* Texels { get; }
+
+    /// <summary>Levels that are grey once more, a number a texel.</summary>
+    public GreyLevels Grey { get; }
 
     /// <summary>Number of the highest level that is there.</summary>
     public int Built => Volatile.Read(ref _built);

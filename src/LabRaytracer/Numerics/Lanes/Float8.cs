@@ -140,6 +140,18 @@ internal readonly struct Float8(Vector256<float> value) : ILane<Float8, Float8, 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Float8 Join(Float4 lower, Float4 upper) => new(Vector256.Create(lower.Value, upper.Value));
 
+    /// <summary>The sum of all lanes of one register, three times, then that of another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Float4 SumsOfLanes(Float8 a, Float8 b)
+    {
+        Vector128<float> x = a.Value.GetLower() + a.Value.GetUpper(), y = b.Value.GetLower() + b.Value.GetUpper();
+        x += Vector128.Shuffle(x, Vector128.Create(2, 3, 0, 1));
+        y += Vector128.Shuffle(y, Vector128.Create(2, 3, 0, 1));
+        x += Vector128.Shuffle(x, Vector128.Create(1, 0, 3, 2));
+        y += Vector128.Shuffle(y, Vector128.Create(1, 0, 3, 2));
+        return new(Vector128.ConditionalSelect(Vector128.Create(0, 0, 0, -1).AsSingle(), y, x));
+    }
+
     /// <summary>Two neighbouring lanes, each four times.</summary>
     /// <param name="a">The lanes.</param>
     /// <param name="pair">Which two: 0 to 3, a constant.</param>

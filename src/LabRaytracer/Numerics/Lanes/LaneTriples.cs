@@ -7,6 +7,26 @@ namespace LabRaytracer;
 /// <summary>Three columns of floats, written as triples one after the other, or made of rows.</summary>
 internal static unsafe class LaneTriples
 {
+    /// <summary>Rows of four numbers become columns.</summary>
+    /// <param name="rows">As many rows as lanes, and at least four.</param>
+    /// <param name="x">The first numbers.</param>
+    /// <param name="y">The second numbers.</param>
+    /// <param name="z">The third numbers.</param>
+    /// <param name="w">The fourth numbers.</param>
+    public static void Turn<F>(Float4* rows, out F x, out F y, out F z, out F w)
+        where F : unmanaged, IReal<F>
+    {
+        Turn(rows, out x, out y, out z);
+        F weights = default;
+        float* to = (float*)&weights;
+        for (int lane = 0; lane < F.Width; lane++)
+        {
+            to[lane] = ((float*)(rows + lane))[3];
+        }
+
+        w = weights;
+    }
+
     /// <summary>Rows of four numbers become columns of their first three.</summary>
     /// <param name="rows">As many rows as lanes, and at least four.</param>
     /// <param name="x">The first numbers.</param>
