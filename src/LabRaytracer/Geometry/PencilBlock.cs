@@ -18,6 +18,8 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
 {
     private const double Rounding = 9.5367431640625e-7;
 
+    public static bool IsOrdered => false;
+
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
         lanes.Triangle = rays.SourceIn(first + packet, number);

@@ -18,6 +18,8 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
 {
     private const double AboveRounding = 1 + 9.5367431640625e-7;
 
+    public static bool IsOrdered => true;
+
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
         lanes.Far = F.Of(8 * pencil.Size);
