@@ -47,7 +47,8 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     {
         (TriangleMesh mesh, _, int number) = _members[member];
         const int Most = MeshPencil.MostPackets;
-        PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[Most];
+        byte* room = stackalloc byte[(Most * sizeof(PencilLanes<R, F, I>)) + CacheLine.Bytes];
+        PencilLanes<R, F, I>* lanes = (PencilLanes<R, F, I>*)CacheLine.Start(room);
         for (int packet = first; packet < end; packet += Most)
         {
             int count = Math.Min(Most, end - packet);
@@ -63,7 +64,8 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     {
         (TriangleMesh mesh, _, int number) = _members[member];
         const int Most = MeshPencil.MostPackets;
-        PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[Most];
+        byte* room = stackalloc byte[(Most * sizeof(PencilLanes<R, F, I>)) + CacheLine.Bytes];
+        PencilLanes<R, F, I>* lanes = (PencilLanes<R, F, I>*)CacheLine.Start(room);
         for (int packet = first; packet < end; packet += Most)
         {
             int count = Math.Min(Most, end - packet);
@@ -159,10 +161,21 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
 
         for (int k = 0; k < count; k++)
         {
-            lanes[k].Ray = ToObject(member, rays.Load(packet + k));
+            Load(member, rays, packet + k, out lanes[k].Ray);
         }
 
         return true;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Load(int member, RayBatch<R, F, I> rays, int packet, out RayLanes<R> ray)
+    {
+        ray = new(
+            rays.OriginX[packet], rays.OriginY[packet], rays.OriginZ[packet], rays.DirectionX[packet], rays.DirectionY[packet], rays.DirectionZ[packet]);
+        if (isTransformed)
+        {
+            ray = WorldSpace.ToObject(Transform(member), ray);
+        }
     }
 
     /// <summary>Nearest hits of groups of lanes: as a pencil together, or else half by half, or group by group in the end.</summary>

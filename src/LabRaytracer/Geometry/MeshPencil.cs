@@ -27,12 +27,12 @@ internal static unsafe class MeshPencil
         where I : unmanaged, IIndexLane<I>
     {
         SlopeBounds* slopes = stackalloc SlopeBounds[count];
-        if (tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, slopes, out RayPencil pencil))
+        if (R.Width < PencilTriangles.Most || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, slopes, out RayPencil pencil))
         {
             return false;
         }
 
-        Run(mesh, tree, pencil, lanes, count, slopes, new PencilNearest<R, F, I>(mesh, tree.Triangles, hits, first, number));
+        Run(mesh, tree, pencil, lanes, count, slopes, new PencilNearest<R, F, I>(mesh, tree.Triangles, pencil.Axis, hits, first, number));
         return true;
     }
 
@@ -51,12 +51,12 @@ internal static unsafe class MeshPencil
         where I : unmanaged, IIndexLane<I>
     {
         SlopeBounds* slopes = stackalloc SlopeBounds[count];
-        if (tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, slopes, out RayPencil pencil))
+        if (R.Width < PencilTriangles.Most || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, slopes, out RayPencil pencil))
         {
             return false;
         }
 
-        Run(mesh, tree, pencil, lanes, count, slopes, new PencilBlock<R, F, I>(mesh, tree.Triangles, rays, first, number));
+        Run(mesh, tree, pencil, lanes, count, slopes, new PencilBlock<R, F, I>(mesh, tree.Triangles, pencil.Axis, rays, first, number));
         return true;
     }
 
@@ -89,8 +89,8 @@ internal static unsafe class MeshPencil
         where TGoal : struct, IPencilGoal<R, F, I>
     {
         float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
-        F* numbers = stackalloc F[PencilParts<F, I>.Room];
-        PencilParts<F, I> parts = new(pencil, tree.Frame, slopes, count, numbers);
+        byte* room = stackalloc byte[PencilParts<F, I>.Bytes + CacheLine.Bytes];
+        PencilParts<F, I> parts = new(pencil, tree.Frame, slopes, count, (float*)CacheLine.Start(room));
         PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, parts, goal);
         float limit = leaf.Start();
         PencilBoxes boxes = new(pencil, tree.Frame);

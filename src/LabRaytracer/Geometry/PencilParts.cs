@@ -9,7 +9,7 @@ namespace LabRaytracer;
 /// <para>What is found is below the true largest value by at most 7 u times what an edge function adds up (<see cref="PencilTriangles"/>): roundings of the coefficients, of middle
 /// and differences, and four more. Edge functions are raised by at least 16 u times that, beside the slack of the exact test.</para>
 /// </remarks>
-/// <typeparam name="F">Float lanes.</typeparam>
+/// <typeparam name="F">Float lanes, at least four.</typeparam>
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
 internal readonly unsafe struct PencilParts<F, I>
     where F : unmanaged, ILane<F, F, I>
@@ -17,6 +17,9 @@ internal readonly unsafe struct PencilParts<F, I>
 {
     /// <summary>Most parts of a pencil.</summary>
     public const int Most = 16;
+
+    /// <summary>Bytes that the numbers of all parts take.</summary>
+    public const int Bytes = sizeof(float) * Most * (Columns + (PairNumbers * PencilTriangles.Most));
 
     private const int Across = 3 * BvhWideNode.Width;
 
@@ -34,10 +37,10 @@ internal readonly unsafe struct PencilParts<F, I>
     /// <param name="tree">Where the tree is.</param>
     /// <param name="slopes">The slopes of each part.</param>
     /// <param name="count">How many parts.</param>
-    /// <param name="numbers">Room for as many vectors as <see cref="Room"/> tells.</param>
-    public PencilParts(in RayPencil pencil, in BvhFrame tree, SlopeBounds* slopes, int count, F* numbers)
+    /// <param name="numbers">Room for <see cref="Bytes"/> bytes.</param>
+    public PencilParts(in RayPencil pencil, in BvhFrame tree, SlopeBounds* slopes, int count, float* numbers)
     {
-        _numbers = (float*)numbers;
+        _numbers = numbers;
         int axisX = (pencil.Axis + 1) % 3, axisY = (pencil.Axis + 2) % 3;
         (_atX, _atY, _atZ) = (axisX * BvhWideNode.Width, axisY * BvhWideNode.Width, pencil.Axis * BvhWideNode.Width);
         _atNear = pencil.Sign > 0 ? _atZ : _atZ + Across;
@@ -59,9 +62,6 @@ internal readonly unsafe struct PencilParts<F, I>
             }
         }
     }
-
-    /// <summary>Vectors of floats that a pencil needs.</summary>
-    public static int Room => Most * (Columns + (PairNumbers * PencilTriangles.Most)) / F.Width;
 
     /// <summary>No part looks farther along z.</summary>
     public float LargestFar
@@ -112,7 +112,7 @@ internal readonly unsafe struct PencilParts<F, I>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public ulong Pairs(float* columns, uint left, uint parts)
     {
-        int together = Math.Max(1, F.Width / PencilTriangles.Most);
+        int together = F.Width / PencilTriangles.Most;
         ulong pairs = 0;
         for (int part = 0; parts >> part != 0; part += together)
         {
@@ -131,11 +131,6 @@ internal readonly unsafe struct PencilParts<F, I>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private uint Pairs(float* columns, int first)
     {
-        if (F.Width < PencilTriangles.Most)
-        {
-            return uint.MaxValue;
-        }
-
         const int Next = PencilTriangles.EdgeNumbers * PencilTriangles.Most;
         F* part = (F*)(_numbers + (Most * Columns) + (first * PairNumbers * PencilTriangles.Most));
         F x = part[0], y = part[1], spreadX = part[2], spreadY = part[3];
@@ -172,11 +167,6 @@ internal readonly unsafe struct PencilParts<F, I>
     /// <summary>A part's rectangle, counted from the pencil's middle, next to each of four triangles.</summary>
     private void SetPairs(int part, in SlopeBounds slopes, in RayPencil pencil)
     {
-        if (F.Width < PencilTriangles.Most)
-        {
-            return;
-        }
-
         int first = PencilTriangles.Most * part;
         float* to = _numbers + (Most * Columns) + (PairNumbers * (first / F.Width * F.Width)) + (first % F.Width);
         *(Float4*)to = Float4.Of(slopes.MiddleX - pencil.MiddleX);
