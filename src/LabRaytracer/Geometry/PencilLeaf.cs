@@ -62,7 +62,7 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
         uint lowered = 0;
         for (ulong pairs = Possible(_parts.Pairs(columns, left, parts)); pairs != 0; pairs &= pairs - 1)
         {
-            int pair = BitOperations.TrailingZeroCount(pairs), packet = pair / PencilTriangles.Most, triangle = pair % PencilTriangles.Most;
+            int pair = BitOperations.TrailingZeroCount(pairs), packet = PencilParts<F, I>.PartOf(pair), triangle = PencilParts<F, I>.TriangleOf(pair);
             lowered |= Test(ref lanes[packet], packet, columns + triangle, first + triangle) ? 1u << packet : 0;
         }
 
@@ -102,8 +102,8 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
         for (; pairs != 0; pairs &= pairs - 1)
         {
             int pair = BitOperations.TrailingZeroCount(pairs);
-            PencilLanes<R, F, I>* own = lanes + (pair / PencilTriangles.Most);
-            float* triangle = columns + (pair % PencilTriangles.Most);
+            PencilLanes<R, F, I>* own = lanes + PencilParts<F, I>.PartOf(pair);
+            float* triangle = columns + PencilParts<F, I>.TriangleOf(pair);
             F edge0 = Edge(*own, triangle, 0), edge1 = Edge(*own, triangle, 1), edge2 = Edge(*own, triangle, 2);
             F isInside = F.LessOrEqual(F.Zero, F.Min(F.Min(edge0, edge1), edge2));
             F isBefore = F.LessOrEqual(At(triangle, PencilTriangles.VolumeLow), own->Far * (edge0 + edge1 + edge2));

@@ -78,6 +78,12 @@ internal readonly unsafe struct PencilParts<F, I>
         }
     }
 
+    /// <summary>The part of a pair.</summary>
+    public static int PartOf(int pair) => (int)((uint)pair / PencilTriangles.Most);
+
+    /// <summary>The triangle of a pair, among those of its leaf.</summary>
+    public static int TriangleOf(int pair) => (int)((uint)pair % PencilTriangles.Most);
+
     /// <summary>Sets how far a part looks along z; below 0 for nowhere.</summary>
     public void SetFar(int part, float far) => _numbers[(Far * Most) + part] = far;
 
@@ -105,7 +111,7 @@ internal readonly unsafe struct PencilParts<F, I>
         return met;
     }
 
-    /// <summary>Bits of the pairs that may hit each other: triangle k mod 4 with part k / 4.</summary>
+    /// <summary>Bits of the pairs that may hit each other (<see cref="PartOf"/>, <see cref="TriangleOf"/>).</summary>
     /// <param name="columns">The triangles, prepared.</param>
     /// <param name="left">Bits of the triangles that the pencil may hit.</param>
     /// <param name="parts">Bits of the parts that matter.</param>
