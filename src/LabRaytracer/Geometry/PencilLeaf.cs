@@ -29,6 +29,8 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     private readonly PencilParts<F, I> _parts = parts;
     private readonly TGoal _goal = goal;
 
+    public static bool IsOrdered => TGoal.IsOrdered;
+
     /// <summary>Sets the limits.</summary>
     /// <returns>The largest one.</returns>
     public float Start()
@@ -40,8 +42,6 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
 
         return LowerLimits((1u << count) - 1);
     }
-
-    public static bool IsOrdered => TGoal.IsOrdered;
 
     public void Expect(int first) => CacheLine.Prefetch(triangles + first);
 

@@ -4,7 +4,7 @@ namespace LabRaytracer;
 
 /// <summary>Parts of a pencil, each a group of lanes: which of them may meet a box, and which of its triangles, many at once.</summary>
 /// <remarks>
-/// <para>A part's slopes are a rectangle. A box is tested as by <see cref="PencilBoxes"/>, with the same margin and at most twice its roundings, in lanes that are parts.</para>
+/// <para>A part's slopes are a rectangle. A box is tested as by <see cref="PencilBoxes"/>, with the same margin and roundings, in lanes that are parts: for both planes along z, as slopes of parts differ in sign.</para>
 /// <para>An edge function is largest in one of the rectangle's corners. Lanes are pairs, triangle k mod 4 with part k / 4.</para>
 /// <para>What is found is below the true largest value by at most 7 u times what an edge function adds up (<see cref="PencilTriangles"/>): roundings of the coefficients, of middle
 /// and differences, and four more. Edge functions are raised by at least 16 u times that, beside the slack of the exact test.</para>
