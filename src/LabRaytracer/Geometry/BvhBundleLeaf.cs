@@ -23,6 +23,8 @@ internal unsafe struct BvhBundleLeaf<R, F, I, TLeaf>(BvhRay<R, F, I>* rays, in T
     /// <summary>The largest limit of any ray, in the units of boxes.</summary>
     public readonly float LargestLimit => (float)F.Largest(_limit);
 
+    public static bool IsOrdered => true;
+
     public void Expect(int first)
     {
     }

@@ -22,4 +22,7 @@ internal readonly struct BvhFrame
         SizeZ = Math.Max(Math.Abs(root.MinZ), Math.Abs(root.MaxZ));
         Size = (double)SizeX + SizeY + SizeZ + Math.Abs(CenterX) + Math.Abs(CenterY) + Math.Abs(CenterZ);
     }
+
+    /// <summary>The centre's coordinate along an axis (0, 1, 2).</summary>
+    public double Center(int axis) => axis == 0 ? CenterX : axis == 1 ? CenterY : CenterZ;
 }

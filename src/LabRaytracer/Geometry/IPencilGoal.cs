@@ -9,6 +9,9 @@ internal interface IPencilGoal<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
+    /// <summary>Whether near triangles should come first.</summary>
+    static abstract bool IsOrdered { get; }
+
     /// <summary>Sets the limits of lanes along z, before the first triangle.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="pencil">Their pencil.</param>

@@ -79,28 +79,29 @@ internal readonly unsafe struct MeshColumn
             int* at = (int*)&places + row;
             if (R.IsSingle)
             {
-                Turn((Float4*)&x + (row / Rows), (Float4*)&y + (row / Rows), (Float4*)&z + (row / Rows), at);
+                Turn(at[0], at[1], at[2], at[3], out ((Float4*)&x)[row / Rows], out ((Float4*)&y)[row / Rows], out ((Float4*)&z)[row / Rows]);
             }
             else
             {
-                Turn((Double4*)&x + (row / Rows), (Double4*)&y + (row / Rows), (Double4*)&z + (row / Rows), at);
+                Turn(at[0], at[1], at[2], at[3], out ((Double4*)&x)[row / Rows], out ((Double4*)&y)[row / Rows], out ((Double4*)&z)[row / Rows]);
             }
         }
 
         (first, second, third) = (x, y, z);
     }
 
+    /// <summary>Three consecutive numbers from each of four places.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Turn<Q>(Q* x, Q* y, Q* z, int* at)
+    public void Turn<Q>(int a, int b, int c, int d, out Q first, out Q second, out Q third)
         where Q : unmanaged, IQuad<Q>
     {
         if (Singles != null)
         {
-            Q.Turn(Q.Load(Singles + at[0]), Q.Load(Singles + at[1]), Q.Load(Singles + at[2]), Q.Load(Singles + at[3]), out *x, out *y, out *z);
+            Q.Turn(Q.Load(Singles + a), Q.Load(Singles + b), Q.Load(Singles + c), Q.Load(Singles + d), out first, out second, out third);
         }
         else
         {
-            Q.Turn(Q.Load(Doubles + at[0]), Q.Load(Doubles + at[1]), Q.Load(Doubles + at[2]), Q.Load(Doubles + at[3]), out *x, out *y, out *z);
+            Q.Turn(Q.Load(Doubles + a), Q.Load(Doubles + b), Q.Load(Doubles + c), Q.Load(Doubles + d), out first, out second, out third);
         }
     }
 

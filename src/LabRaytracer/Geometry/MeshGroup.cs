@@ -46,14 +46,15 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     public override void Nearest(int member, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int first, int end)
     {
         (TriangleMesh mesh, _, int number) = _members[member];
-        int most = MeshPencil.PacketsOf<R>();
-        PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[most];
-        for (int packet = first; packet < end; packet += most)
+        const int Most = MeshPencil.MostPackets;
+        byte* room = stackalloc byte[(Most * sizeof(PencilLanes<R, F, I>)) + CacheLine.Bytes];
+        PencilLanes<R, F, I>* lanes = (PencilLanes<R, F, I>*)CacheLine.Start(room);
+        for (int packet = first; packet < end; packet += Most)
         {
-            int count = Math.Min(most, end - packet);
-            if (Load(member, rays, hits.T, packet, count, lanes) && !MeshPencil.Nearest(mesh.Data, _trees[member], lanes, count, hits, packet, number))
+            int count = Math.Min(Most, end - packet);
+            if (Load(member, rays, hits.T, packet, count, lanes))
             {
-                NearestEach(member, hits, lanes, packet, count);
+                Nearest(mesh.Data, _trees[member], lanes, count, hits, packet, number);
             }
         }
     }
@@ -62,14 +63,15 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
     public override void Block(int member, RayBatch<R, F, I> rays, int first, int end)
     {
         (TriangleMesh mesh, _, int number) = _members[member];
-        int most = MeshPencil.PacketsOf<R>();
-        PencilLanes<R, F, I>* lanes = stackalloc PencilLanes<R, F, I>[most];
-        for (int packet = first; packet < end; packet += most)
+        const int Most = MeshPencil.MostPackets;
+        byte* room = stackalloc byte[(Most * sizeof(PencilLanes<R, F, I>)) + CacheLine.Bytes];
+        PencilLanes<R, F, I>* lanes = (PencilLanes<R, F, I>*)CacheLine.Start(room);
+        for (int packet = first; packet < end; packet += Most)
         {
-            int count = Math.Min(most, end - packet);
-            if (Load(member, rays, rays.Limit, packet, count, lanes) && !MeshPencil.Block(mesh.Data, _trees[member], lanes, count, rays, packet, number))
+            int count = Math.Min(Most, end - packet);
+            if (Load(member, rays, rays.Limit, packet, count, lanes))
             {
-                BlockEach(member, rays, lanes, packet, count);
+                Block(mesh.Data, _trees[member], lanes, count, rays, packet, number);
             }
         }
     }
@@ -159,38 +161,59 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
 
         for (int k = 0; k < count; k++)
         {
-            lanes[k].Ray = ToObject(member, rays.Load(packet + k));
+            Load(member, rays, packet + k, out lanes[k].Ray);
         }
 
         return true;
     }
 
-    /// <summary>Nearest hits of rays that are no pencil together, but may be group by group.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void NearestEach(int member, HitBatch<R, F, I> hits, PencilLanes<R, F, I>* lanes, int packet, int count)
+    private void Load(int member, RayBatch<R, F, I> rays, int packet, out RayLanes<R> ray)
     {
-        (TriangleMesh mesh, _, int number) = _members[member];
-        for (int k = 0; k < count; k++)
+        ray = new(
+            rays.OriginX[packet], rays.OriginY[packet], rays.OriginZ[packet], rays.DirectionX[packet], rays.DirectionY[packet], rays.DirectionZ[packet]);
+        if (isTransformed)
         {
-            if (!MeshPencil.Nearest(mesh.Data, _trees[member], lanes + k, 1, hits, packet + k, number))
-            {
-                MeshSearch.Nearest(mesh.Data, _trees[member], lanes[k].Ray, hits, packet + k, number);
-            }
+            ray = WorldSpace.ToObject(Transform(member), ray);
         }
     }
 
-    /// <summary>Blocks rays that are no pencil together, but may be group by group.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void BlockEach(int member, RayBatch<R, F, I> rays, PencilLanes<R, F, I>* lanes, int packet, int count)
+    /// <summary>Nearest hits of groups of lanes: as a pencil together, or else half by half, or group by group in the end.</summary>
+    private static void Nearest(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, HitBatch<R, F, I> hits, int packet, int number)
     {
-        (TriangleMesh mesh, _, int number) = _members[member];
-        for (int k = 0; k < count; k++)
+        if (MeshPencil.Nearest(mesh, tree, lanes, count, hits, packet, number))
         {
-            if (!MeshPencil.Block(mesh.Data, _trees[member], lanes + k, 1, rays, packet + k, number))
-            {
-                MeshSearch.Block<R, F, I>(mesh.Data, _trees[member], lanes[k].Ray, rays.SourceIn(packet + k, number), ref rays.Limit[packet + k]);
-            }
+            return;
         }
+
+        if (count == 1)
+        {
+            MeshSearch.Nearest(mesh, tree, lanes->Ray, hits, packet, number);
+            return;
+        }
+
+        int half = count / 2;
+        Nearest(mesh, tree, lanes, half, hits, packet, number);
+        Nearest(mesh, tree, lanes + half, count - half, hits, packet + half, number);
+    }
+
+    /// <summary>Blocks rays of groups of lanes, in the same way.</summary>
+    private static void Block(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, RayBatch<R, F, I> rays, int packet, int number)
+    {
+        if (MeshPencil.Block(mesh, tree, lanes, count, rays, packet, number))
+        {
+            return;
+        }
+
+        if (count == 1)
+        {
+            MeshSearch.Block<R, F, I>(mesh, tree, lanes->Ray, rays.SourceIn(packet, number), ref rays.Limit[packet]);
+            return;
+        }
+
+        int half = count / 2;
+        Block(mesh, tree, lanes, half, rays, packet, number);
+        Block(mesh, tree, lanes + half, count - half, rays, packet + half, number);
     }
 
     /// <summary>What changes over one step of the lanes of one member.</summary>

@@ -9,12 +9,8 @@ internal static unsafe class MeshPencil
     /// <summary>Fewer rays are no pencil.</summary>
     public const int FewestRays = 4;
 
-    /// <summary>Rays that are searched for together.</summary>
-    private const int RaysTogether = 64;
-
-    /// <summary>Groups of lanes that are searched for together.</summary>
-    public static int PacketsOf<R>()
-        where R : unmanaged, IReal<R> => Math.Max(1, RaysTogether / R.Width);
+    /// <summary>Groups of lanes that are searched for together at most: many share what is done for boxes and triangles, but differ in where they go.</summary>
+    public const int MostPackets = 16;
 
     /// <summary>Keeps the nearest hits, if the rays are a pencil that starts in its apex; else false, and nothing happens.</summary>
     /// <param name="mesh">The mesh.</param>
@@ -30,13 +26,13 @@ internal static unsafe class MeshPencil
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        F* parts = stackalloc F[PencilParts.Room<F>(count)];
-        if (tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, parts, out RayPencil pencil))
+        SlopeBounds* slopes = stackalloc SlopeBounds[count];
+        if (R.Width < PencilTriangles.Most || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, slopes, out RayPencil pencil))
         {
             return false;
         }
 
-        Run(mesh, tree, pencil, lanes, count, parts, new PencilNearest<R, F, I>(mesh, tree.Triangles, hits, first, number));
+        Run(mesh, tree, pencil, lanes, count, slopes, new PencilNearest<R, F, I>(mesh, tree.Triangles, pencil.Axis, hits, first, number));
         return true;
     }
 
@@ -54,17 +50,17 @@ internal static unsafe class MeshPencil
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        F* parts = stackalloc F[PencilParts.Room<F>(count)];
-        if (tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, parts, out RayPencil pencil))
+        SlopeBounds* slopes = stackalloc SlopeBounds[count];
+        if (R.Width < PencilTriangles.Most || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, slopes, out RayPencil pencil))
         {
             return false;
         }
 
-        Run(mesh, tree, pencil, lanes, count, parts, new PencilBlock<R, F, I>(mesh, tree.Triangles, rays, first, number));
+        Run(mesh, tree, pencil, lanes, count, slopes, new PencilBlock<R, F, I>(mesh, tree.Triangles, pencil.Axis, rays, first, number));
         return true;
     }
 
-    private static void Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, F* parts, in TGoal goal)
+    private static void Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, SlopeBounds* slopes, in TGoal goal)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -72,20 +68,20 @@ internal static unsafe class MeshPencil
     {
         if (mesh.Positions.Singles != null)
         {
-            Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, parts, goal);
+            Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, slopes, goal);
         }
         else if (R.IsSingle)
         {
-            Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, parts, goal);
+            Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, slopes, goal);
         }
         else
         {
-            Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, parts, goal);
+            Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, slopes, goal);
         }
     }
 
     [SkipLocalsInit]
-    private static void Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, F* parts, in TGoal goal)
+    private static void Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, SlopeBounds* slopes, in TGoal goal)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -93,6 +89,8 @@ internal static unsafe class MeshPencil
         where TGoal : struct, IPencilGoal<R, F, I>
     {
         float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
+        byte* room = stackalloc byte[PencilParts<F, I>.Bytes + CacheLine.Bytes];
+        PencilParts<F, I> parts = new(pencil, tree.Frame, slopes, count, (float*)CacheLine.Start(room));
         PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, parts, goal);
         float limit = leaf.Start();
         PencilBoxes boxes = new(pencil, tree.Frame);

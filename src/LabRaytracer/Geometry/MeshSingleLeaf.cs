@@ -40,6 +40,8 @@ internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, 
         return (float)Float1.Get(BvhRay<R1, Float1, Int1>.LimitOf(_limit, _toFloat), 0);
     }
 
+    public static bool IsOrdered => true;
+
     public void Expect(int first) => CacheLine.Prefetch(triangles + first);
 
     public void Visit(int first, int count, float* box, ref float limit)

@@ -8,15 +8,18 @@ namespace LabRaytracer;
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
 /// <param name="mesh">The mesh.</param>
 /// <param name="triangles">Triangles in the order of the tree.</param>
+/// <param name="axis">Along which all directions are largest.</param>
 /// <param name="rays">The rays; limits of blocked ones become -1.</param>
 /// <param name="first">The pencil's first group of lanes there.</param>
 /// <param name="number">Number of the mesh's object.</param>
-internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle* triangles, RayBatch<R, F, I> rays, int first, int number) : IPencilGoal<R, F, I>
+internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle* triangles, int axis, RayBatch<R, F, I> rays, int first, int number) : IPencilGoal<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
     private const double Rounding = 9.5367431640625e-7;
+
+    public static bool IsOrdered => false;
 
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
@@ -61,7 +64,7 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void Decide(ref PencilLanes<R, F, I> lanes, in F open, int place, ref F blocked)
     {
-        PencilTest.Run<R, F, I>(mesh, triangles, lanes.Ray, I.Of(place), out R hit, out R t, out _, out _, out I _);
+        PencilTest.Run<R, F, I>(mesh, triangles, axis, lanes.Ray, I.Of(place), out R hit, out R t, out _, out _, out I _);
         blocked |= open & R.MaskToSingle(hit & R.Less(t, lanes.Limit));
     }
 }

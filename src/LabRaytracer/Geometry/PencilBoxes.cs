@@ -21,8 +21,8 @@ internal readonly unsafe struct PencilBoxes : IBvhWideTest
     public PencilBoxes(in RayPencil pencil, in BvhFrame tree)
     {
         int axisX = (pencil.Axis + 1) % 3, axisY = (pencil.Axis + 2) % 3, z = pencil.Axis * BvhWideNode.Width;
-        double margin = (pencil.Size * Rounding) + (pencil.TestError * (1 + Math.Abs(pencil.Shear)));
-        double x = pencil.ApexX - Center(tree, axisX), y = pencil.ApexY - Center(tree, axisY) - (pencil.Shear * x), apexZ = pencil.ApexZ - Center(tree, pencil.Axis);
+        double margin = Margin(pencil);
+        double x = pencil.ApexX - tree.Center(axisX), y = pencil.ApexY - tree.Center(axisY) - (pencil.Shear * x), apexZ = pencil.ApexZ - tree.Center(pencil.Axis);
         (_atX, _atY) = (axisX * BvhWideNode.Width, axisY * BvhWideNode.Width);
         SetPlane(pencil.Sign * (pencil.MiddleX - pencil.SpreadX), x, apexZ, -margin, z, z + Across, out _lowX, out _lowXLimit, out _atLowX);
         SetPlane(pencil.Sign * (pencil.MiddleX + pencil.SpreadX), x, apexZ, margin, z + Across, z, out _highX, out _highXLimit, out _atHighX);
@@ -35,6 +35,9 @@ internal readonly unsafe struct PencilBoxes : IBvhWideTest
         _farthest = Float8.Of(-(pencil.Sign * apexZ) + margin);
         (_atNear, _atFar) = pencil.Sign > 0 ? (z, z + Across) : (z + Across, z);
     }
+
+    /// <summary>By how much boxes are larger than what is in them.</summary>
+    public static double Margin(in RayPencil pencil) => (pencil.Size * Rounding) + (pencil.TestError * (1 + Math.Abs(pencil.Shear)));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint Meet(float* planes, float limit, out Float8 near)
@@ -51,8 +54,6 @@ internal readonly unsafe struct PencilBoxes : IBvhWideTest
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Float8 At(float* planes, int place) => *(Float8*)(planes + place);
-
-    private static double Center(in BvhFrame tree, int axis) => axis == 0 ? tree.CenterX : axis == 1 ? tree.CenterY : tree.CenterZ;
 
     /// <summary>The plane x = slope z, moved by a margin.</summary>
     private static void SetPlane(double slope, double x, double z, double margin, int ifUp, int ifDown, out Float8 toZ, out Float8 limit, out int at)

@@ -11,9 +11,9 @@ internal static unsafe class PencilFinder
     /// <param name="count">How many groups.</param>
     /// <param name="mesh">Where the mesh is.</param>
     /// <param name="endsAtApex">Whether rays end in the apex, at their limits, instead of starting there.</param>
-    /// <param name="parts">Receives the bounds of the groups of lanes (<see cref="PencilParts"/>).</param>
+    /// <param name="parts">Receives the bounds of the slopes of each group of lanes.</param>
     /// <param name="pencil">Receives apex, axis, slopes and error bounds.</param>
-    public static bool Find<R, F, I>(PencilLanes<R, F, I>* lanes, int count, in BvhFrame mesh, bool endsAtApex, F* parts, out RayPencil pencil)
+    public static bool Find<R, F, I>(PencilLanes<R, F, I>* lanes, int count, in BvhFrame mesh, bool endsAtApex, SlopeBounds* parts, out RayPencil pencil)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -115,8 +115,7 @@ internal static unsafe class PencilFinder
             : (apex.Y, apex.Z, apex.X, direction.X);
 
     /// <summary>Slopes of the rays, their middle and spread. Those of a camera are upright already, those of a lamp are not.</summary>
-    [SkipLocalsInit]
-    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, bool isSheared, F* parts, ref RayPencil pencil)
+    private static void Measure<R, F, I>(PencilLanes<R, F, I>* lanes, int count, bool isSheared, SlopeBounds* parts, ref RayPencil pencil)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -132,27 +131,22 @@ internal static unsafe class PencilFinder
         }
 
         pencil.Shear = isSheared ? (float)sums.Shear : 0;
-        SlopeBounds* bounds = stackalloc SlopeBounds[count];
         SlopeBounds all = SlopeBounds.None;
         for (int packet = 0; packet < count; packet++)
         {
-            Bound(lanes + packet, pencil.Shear, out bounds[packet]);
-            all.Include(bounds[packet]);
+            Bound(lanes + packet, pencil.Shear, out parts[packet]);
+            all.Include(parts[packet]);
         }
 
         (pencil.MiddleX, pencil.MiddleY) = ((float)all.MiddleX, (float)all.MiddleY);
-
-        // Slopes were rounded to float for the bounds, and the middle was.
-        double rounding = 1.2e-7 * (1 + Math.Abs(pencil.Shear));
-        (pencil.SpreadX, pencil.SpreadY) = (all.SpreadX + rounding, all.SpreadY + rounding);
-        PencilParts.Clear(parts, count);
+        pencil.SlopeError = 1.2e-7 * (1 + Math.Abs(pencil.Shear));
+        (pencil.SpreadX, pencil.SpreadY) = (all.SpreadX + pencil.SlopeError, all.SpreadY + pencil.SlopeError);
         for (int packet = 0; packet < count; packet++)
         {
             PencilLanes<R, F, I>* own = lanes + packet;
             F isOn = R.MaskToSingle(R.Less(R.Zero, own->Limit));
             own->SlopeX = R.ToSingle(own->FullX - R.Of(pencil.MiddleX)) & isOn;
             own->SlopeY = R.ToSingle(own->FullY - R.Of(pencil.MiddleY)) & isOn;
-            PencilParts.Set(parts, packet, bounds[packet], pencil, rounding);
         }
     }
 

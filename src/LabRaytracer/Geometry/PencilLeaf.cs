@@ -15,10 +15,10 @@ namespace LabRaytracer;
 /// <param name="triangles">Triangles in the order of the tree.</param>
 /// <param name="positions">Their vertices.</param>
 /// <param name="columns">Room for what <see cref="PencilTriangles"/> prepares.</param>
-/// <param name="parts">The bounds of its groups of lanes (<see cref="PencilParts"/>).</param>
+/// <param name="parts">Where its groups of lanes look.</param>
 /// <param name="goal">What the rays look for.</param>
 internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
-    in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, MeshTriangle* triangles, P positions, float* columns, F* parts, in TGoal goal) : IBvhWideLeaf
+    in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, MeshTriangle* triangles, P positions, float* columns, in PencilParts<F, I> parts, in TGoal goal) : IBvhWideLeaf
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -26,21 +26,10 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     where TGoal : struct, IPencilGoal<R, F, I>
 {
     private readonly RayPencil _pencil = pencil;
+    private readonly PencilParts<F, I> _parts = parts;
     private readonly TGoal _goal = goal;
 
-    private float LargestLimit
-    {
-        get
-        {
-            F largest = lanes->Far;
-            for (int packet = 1; packet < count; packet++)
-            {
-                largest = F.Max(largest, lanes[packet].Far);
-            }
-
-            return (float)F.Largest(largest);
-        }
-    }
+    public static bool IsOrdered => TGoal.IsOrdered;
 
     /// <summary>Sets the limits.</summary>
     /// <returns>The largest one.</returns>
@@ -51,28 +40,35 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
             _goal.Start(ref lanes[packet], _pencil, packet);
         }
 
-        return LargestLimit;
+        return LowerLimits((1u << count) - 1);
     }
 
     public void Expect(int first) => CacheLine.Prefetch(triangles + first);
 
     public void Visit(int first, int number, float* box, ref float limit)
     {
-        bool isLowered = false;
-        uint left = PencilTriangles.Prepare<R, P>(_pencil, triangles + first, number, positions, columns);
-        for (int group = 0; left != 0 && group < PencilParts.Groups<F>(count); group++)
+        uint parts = _parts.Meet(box);
+        if (parts == 0)
         {
-            uint met = PencilParts.Meet(parts + (PencilParts.Numbers * group), columns, left, group);
-            for (; met != 0; met &= met - 1)
-            {
-                uint pair = (uint)((group * F.Width) + BitOperations.TrailingZeroCount(met)), packet = pair / PencilTriangles.Most, triangle = pair % PencilTriangles.Most;
-                isLowered |= Test(ref lanes[packet], (int)packet, columns + triangle, first + (int)triangle);
-            }
+            return;
         }
 
-        if (isLowered)
+        uint left = PencilTriangles.Prepare<R, P>(_pencil, triangles + first, number, positions, columns);
+        if (left == 0)
         {
-            limit = LargestLimit;
+            return;
+        }
+
+        uint lowered = 0;
+        for (ulong pairs = Possible(_parts.Pairs(columns, left, parts)); pairs != 0; pairs &= pairs - 1)
+        {
+            int pair = BitOperations.TrailingZeroCount(pairs), packet = PencilParts<F, I>.PartOf(pair), triangle = PencilParts<F, I>.TriangleOf(pair);
+            lowered |= Test(ref lanes[packet], packet, columns + triangle, first + triangle) ? 1u << packet : 0;
+        }
+
+        if (lowered != 0)
+        {
+            limit = LowerLimits(lowered);
         }
     }
 
@@ -85,19 +81,48 @@ internal readonly unsafe struct PencilLeaf<R, F, I, P, TGoal>(
         }
     }
 
+    /// <summary>Sets how far parts look whose limits were lowered.</summary>
+    /// <returns>The largest limit of all parts.</returns>
+    private float LowerLimits(uint lowered)
+    {
+        for (; lowered != 0; lowered &= lowered - 1)
+        {
+            int packet = BitOperations.TrailingZeroCount(lowered);
+            _parts.SetFar(packet, (float)F.Largest(lanes[packet].Far));
+        }
+
+        return _parts.LargestFar;
+    }
+
+    /// <summary>Bits of the pairs of which some ray may hit the triangle within its limit. No branch depends on it, as a third of them do, in no order.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private ulong Possible(ulong pairs)
+    {
+        ulong possible = 0;
+        for (; pairs != 0; pairs &= pairs - 1)
+        {
+            int pair = BitOperations.TrailingZeroCount(pairs);
+            PencilLanes<R, F, I>* own = lanes + PencilParts<F, I>.PartOf(pair);
+            float* triangle = columns + PencilParts<F, I>.TriangleOf(pair);
+            F edge0 = Edge(*own, triangle, 0), edge1 = Edge(*own, triangle, 1), edge2 = Edge(*own, triangle, 2);
+            F isInside = F.LessOrEqual(F.Zero, F.Min(F.Min(edge0, edge1), edge2));
+            F isBefore = F.LessOrEqual(At(triangle, PencilTriangles.VolumeLow), own->Far * (edge0 + edge1 + edge2));
+
+            // 1 where any bit is set.
+            ulong any = (0UL - F.Bits(isInside & isBefore)) >> 63;
+            possible |= any << pair;
+        }
+
+        return possible;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     [SkipLocalsInit]
     private bool Test(ref PencilLanes<R, F, I> own, int packet, float* triangle, int place)
     {
         F edge0 = Edge(own, triangle, 0), edge1 = Edge(own, triangle, 1), edge2 = Edge(own, triangle, 2);
-        F possible = F.LessOrEqual(F.Zero, F.Min(F.Min(edge0, edge1), edge2));
-        if (!F.Any(possible))
-        {
-            return false;
-        }
-
         Unsafe.SkipInit(out PencilHits<F> hits);
-        hits.Possible = possible;
+        hits.Possible = F.LessOrEqual(F.Zero, F.Min(F.Min(edge0, edge1), edge2));
         hits.SumError = At(triangle, PencilTriangles.SumError);
         hits.Sum = edge0 + edge1 + edge2;
         F inside = F.Min(F.Min(edge0 - Error(triangle, 0), edge1 - Error(triangle, 1)), edge2 - Error(triangle, 2));

@@ -8,15 +8,18 @@ namespace LabRaytracer;
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
 /// <param name="mesh">The mesh.</param>
 /// <param name="triangles">Triangles in the order of the tree.</param>
+/// <param name="axis">Along which all directions are largest.</param>
 /// <param name="hits">Receives the hits.</param>
 /// <param name="first">The pencil's first group of lanes there.</param>
 /// <param name="number">Number of the mesh's object.</param>
-internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriangle* triangles, HitBatch<R, F, I> hits, int first, int number) : IPencilGoal<R, F, I>
+internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriangle* triangles, int axis, HitBatch<R, F, I> hits, int first, int number) : IPencilGoal<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
     private const double AboveRounding = 1 + 9.5367431640625e-7;
+
+    public static bool IsOrdered => true;
 
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
@@ -79,7 +82,7 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
 
     private void Test(ref PencilLanes<R, F, I> lanes, int packet, in R mask, in I place)
     {
-        PencilTest.Run<R, F, I>(mesh, triangles, lanes.Ray, place, out R hit, out R t, out R weight1, out R weight2, out I part);
+        PencilTest.Run<R, F, I>(mesh, triangles, axis, lanes.Ray, place, out R hit, out R t, out R weight1, out R weight2, out I part);
         hit &= mask & R.LessOrEqual(t, lanes.Limit);
         if (R.Any(hit))
         {

@@ -2,82 +2,182 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>Parts of a pencil, each a group of lanes: which of its triangles each part may hit, all pairs at once.</summary>
+/// <summary>Parts of a pencil, each a group of lanes: which of them may meet a box, and which of its triangles, many at once.</summary>
 /// <remarks>
-/// <para>A part's slopes are a rectangle around a middle; an edge function is largest in one of its corners. Lanes are pairs, triangle k mod 4 with part k / 4.</para>
+/// <para>A part's slopes are a rectangle. A box is tested as by <see cref="PencilBoxes"/>, with the same margin and roundings, in lanes that are parts: for both planes along z, as slopes of parts differ in sign.</para>
+/// <para>An edge function is largest in one of the rectangle's corners. Lanes are pairs, triangle k mod 4 with part k / 4.</para>
 /// <para>What is found is below the true largest value by at most 7 u times what an edge function adds up (<see cref="PencilTriangles"/>): roundings of the coefficients, of middle
 /// and differences, and four more. Edge functions are raised by at least 16 u times that, beside the slack of the exact test.</para>
 /// </remarks>
-internal static unsafe class PencilParts
+/// <typeparam name="F">Float lanes, at least four.</typeparam>
+/// <typeparam name="I">Integer lanes of the same width.</typeparam>
+internal readonly unsafe struct PencilParts<F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
 {
-    /// <summary>Vectors of floats a group of parts: middle of the slopes along x, along y, and their largest differences from it.</summary>
-    public const int Numbers = 4;
+    /// <summary>Most parts of a pencil.</summary>
+    public const int Most = 16;
 
-    private const uint EachPart = 0x11111111;
+    /// <summary>Bytes that the numbers of all parts take.</summary>
+    public const int Bytes = sizeof(float) * Most * (Columns + (PairNumbers * PencilTriangles.Most));
 
-    /// <summary>Vectors of floats that a pencil needs.</summary>
-    /// <param name="parts">Its number of parts.</param>
-    public static int Room<F>(int parts)
-        where F : unmanaged, IReal<F> => Numbers * Groups<F>(parts);
+    private const int Across = 3 * BvhWideNode.Width;
 
-    /// <summary>Groups of parts, each as many as a vector has room for with all triangles of a leaf.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Groups<F>(int parts)
-        where F : unmanaged, IReal<F> => ((PencilTriangles.Most * parts) + F.Width - 1) / F.Width;
+    // Columns of a number each part: the planes along least and largest slopes, as factor of z and limit, then how far the part looks.
+    private const int LowX = 0, HighX = 2, LowY = 4, HighY = 6, Far = 8, Columns = 9;
 
-    /// <summary>Sets all parts to such as hit nothing.</summary>
-    public static void Clear<F>(F* parts, int count)
-        where F : unmanaged, IReal<F> => new Span<float>(parts, F.Width * Room<F>(count)).Fill(float.NaN);
+    // Behind the columns, vectors for each group of pairs: the middle of the slopes along x, along y, and their largest differences from it.
+    private const int PairNumbers = 4;
 
-    /// <summary>Sets the rectangle of one part, if it has any rays.</summary>
-    /// <param name="parts">The numbers of all parts.</param>
-    /// <param name="part">Which one.</param>
-    /// <param name="slopes">Its slopes.</param>
-    /// <param name="pencil">The pencil, from whose middle slopes are counted.</param>
-    /// <param name="rounding">By how much bounds may be wrong.</param>
-    public static void Set<F>(F* parts, int part, in SlopeBounds slopes, in RayPencil pencil, double rounding)
-        where F : unmanaged, IReal<F>
+    private readonly float* _numbers;
+    private readonly F _shear, _sign, _nearest;
+    private readonly int _atX, _atY, _atZ, _atNear;
+
+    /// <param name="pencil">The pencil.</param>
+    /// <param name="tree">Where the tree is.</param>
+    /// <param name="slopes">The slopes of each part.</param>
+    /// <param name="count">How many parts.</param>
+    /// <param name="numbers">Room for <see cref="Bytes"/> bytes.</param>
+    public PencilParts(in RayPencil pencil, in BvhFrame tree, SlopeBounds* slopes, int count, float* numbers)
     {
-        if (F.Width < PencilTriangles.Most || slopes.IsEmpty)
+        _numbers = numbers;
+        int axisX = (pencil.Axis + 1) % 3, axisY = (pencil.Axis + 2) % 3;
+        (_atX, _atY, _atZ) = (axisX * BvhWideNode.Width, axisY * BvhWideNode.Width, pencil.Axis * BvhWideNode.Width);
+        _atNear = pencil.Sign > 0 ? _atZ : _atZ + Across;
+        double margin = PencilBoxes.Margin(pencil);
+        double x = pencil.ApexX - tree.Center(axisX), y = pencil.ApexY - tree.Center(axisY) - (pencil.Shear * x), z = pencil.ApexZ - tree.Center(pencil.Axis);
+        _shear = F.Of(-pencil.Shear);
+        _sign = F.Of(pencil.Sign);
+        _nearest = F.Of(-(pencil.Sign * z) - margin);
+        for (int part = 0; part < Most; part++)
         {
-            return;
+            SetFar(part, -1);
+            if (part < count && !slopes[part].IsEmpty)
+            {
+                SetPlane(part, LowX, pencil.Sign * (slopes[part].LowX - pencil.SlopeError), x, z, -margin);
+                SetPlane(part, HighX, pencil.Sign * (slopes[part].HighX + pencil.SlopeError), x, z, margin);
+                SetPlane(part, LowY, pencil.Sign * (slopes[part].LowY - pencil.SlopeError), y, z, -margin);
+                SetPlane(part, HighY, pencil.Sign * (slopes[part].HighY + pencil.SlopeError), y, z, margin);
+                SetPairs(part, slopes[part], pencil);
+            }
         }
-
-        int first = PencilTriangles.Most * part;
-        float* to = (float*)(parts + (Numbers * (first / F.Width))) + (first % F.Width);
-        *(Float4*)to = Float4.Of(slopes.MiddleX - pencil.MiddleX);
-        *(Float4*)(to + F.Width) = Float4.Of(slopes.MiddleY - pencil.MiddleY);
-        *(Float4*)(to + (2 * F.Width)) = Float4.Of(slopes.SpreadX + rounding);
-        *(Float4*)(to + (3 * F.Width)) = Float4.Of(slopes.SpreadY + rounding);
     }
 
-    /// <summary>Bits of the pairs of a group of parts that may hit each other.</summary>
-    /// <param name="parts">The group's numbers.</param>
+    /// <summary>No part looks farther along z.</summary>
+    public float LargestFar
+    {
+        get
+        {
+            F largest = At(Far, 0);
+            for (int vector = 1; vector < Most / F.Width; vector++)
+            {
+                largest = F.Max(largest, At(Far, vector));
+            }
+
+            return (float)F.Largest(largest);
+        }
+    }
+
+    /// <summary>The part of a pair.</summary>
+    public static int PartOf(int pair) => (int)((uint)pair / PencilTriangles.Most);
+
+    /// <summary>The triangle of a pair, among those of its leaf.</summary>
+    public static int TriangleOf(int pair) => (int)((uint)pair % PencilTriangles.Most);
+
+    /// <summary>Sets how far a part looks along z; below 0 for nowhere.</summary>
+    public void SetFar(int part, float far) => _numbers[(Far * Most) + part] = far;
+
+    /// <summary>Bits of the parts that may meet a box.</summary>
+    /// <param name="box">Its smallest x in the planes of its parent (<see cref="BvhWideNode"/>).</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public uint Meet(float* box)
+    {
+        F leastX = Plane(box, _atX), mostX = Plane(box, _atX + Across), leastY = Plane(box, _atY), mostY = Plane(box, _atY + Across);
+        F leastZ = Plane(box, _atZ), mostZ = Plane(box, _atZ + Across), near = F.Max(F.Fma(Plane(box, _atNear), _sign, _nearest), F.Zero);
+        leastY = F.Min(F.Fma(leastX, _shear, leastY), F.Fma(mostX, _shear, leastY));
+        mostY = F.Max(F.Fma(leastX, _shear, mostY), F.Fma(mostX, _shear, mostY));
+        uint met = 0;
+        for (int vector = 0; vector < Most / F.Width; vector++)
+        {
+            F lowX = At(LowX, vector), highX = At(HighX, vector), lowY = At(LowY, vector), highY = At(HighY, vector);
+            F inside = F.LessOrEqual(At(LowX + 1, vector), F.Max(F.Fma(leastZ, lowX, mostX), F.Fma(mostZ, lowX, mostX)))
+                & F.LessOrEqual(F.Min(F.Fma(leastZ, highX, leastX), F.Fma(mostZ, highX, leastX)), At(HighX + 1, vector))
+                & F.LessOrEqual(At(LowY + 1, vector), F.Max(F.Fma(leastZ, lowY, mostY), F.Fma(mostZ, lowY, mostY)))
+                & F.LessOrEqual(F.Min(F.Fma(leastZ, highY, leastY), F.Fma(mostZ, highY, leastY)), At(HighY + 1, vector))
+                & F.LessOrEqual(near, At(Far, vector));
+            met |= F.Bits(inside) << (vector * F.Width);
+        }
+
+        return met;
+    }
+
+    /// <summary>Bits of the pairs that may hit each other (<see cref="PartOf"/>, <see cref="TriangleOf"/>).</summary>
     /// <param name="columns">The triangles, prepared.</param>
     /// <param name="left">Bits of the triangles that the pencil may hit.</param>
-    /// <param name="group">Which group it is.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint Meet<F>(F* parts, float* columns, uint left, int group)
-        where F : unmanaged, IReal<F>
+    /// <param name="parts">Bits of the parts that matter.</param>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public ulong Pairs(float* columns, uint left, uint parts)
     {
-        if (F.Width < PencilTriangles.Most)
+        int together = F.Width / PencilTriangles.Most;
+        ulong pairs = 0;
+        for (int part = 0; parts >> part != 0; part += together)
         {
-            return (left >> (group * F.Width % PencilTriangles.Most)) & ((1u << F.Width) - 1);
+            uint own = (parts >> part) & ((1u << together) - 1);
+            if (own != 0)
+            {
+                ulong met = Pairs(columns, part) & (left * 0x1111) & (FirstOfFour(own) * 0xF);
+                pairs |= met << (PencilTriangles.Most * part);
+            }
         }
 
-        const int Next = PencilTriangles.EdgeNumbers * PencilTriangles.Most;
-        F x = parts[0], y = parts[1], spreadX = parts[2], spreadY = parts[3];
-        F largest = F.Min(F.Min(Largest(x, y, spreadX, spreadY, columns), Largest(x, y, spreadX, spreadY, columns + Next)), Largest(x, y, spreadX, spreadY, columns + (2 * Next)));
-        return F.Bits(F.LessOrEqual(F.Zero, largest)) & (left * EachPart);
+        return pairs;
     }
+
+    /// <summary>Bits of the pairs of some parts, as many as a vector has room for, that may hit each other.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private uint Pairs(float* columns, int first)
+    {
+        const int Next = PencilTriangles.EdgeNumbers * PencilTriangles.Most;
+        F* part = (F*)(_numbers + (Most * Columns) + (first * PairNumbers * PencilTriangles.Most));
+        F x = part[0], y = part[1], spreadX = part[2], spreadY = part[3];
+        F largest = F.Min(F.Min(Largest(x, y, spreadX, spreadY, columns), Largest(x, y, spreadX, spreadY, columns + Next)), Largest(x, y, spreadX, spreadY, columns + (2 * Next)));
+        return F.Bits(F.LessOrEqual(F.Zero, largest));
+    }
+
+    /// <summary>Four bits, each followed by three that are 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint FirstOfFour(uint bits) => (bits | (bits << 3) | (bits << 6) | (bits << 9)) & 0x1111;
 
     /// <summary>The largest value of an edge function in each part.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static F Largest<F>(F x, F y, F spreadX, F spreadY, float* edge)
-        where F : unmanaged, IReal<F>
+    private static F Largest(F x, F y, F spreadX, F spreadY, float* edge)
     {
         F edgeX = LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeX * PencilTriangles.Most)), edgeY = LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeY * PencilTriangles.Most));
         F inMiddle = F.Fma(x, edgeX, F.Fma(y, edgeY, LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeMiddle * PencilTriangles.Most))));
         return F.Fma(spreadX, F.Abs(edgeX), F.Fma(spreadY, F.Abs(edgeY), inMiddle));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static F Plane(float* box, int place) => F.Broadcast((F*)box, place);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private F At(int column, int vector) => ((F*)(_numbers + (column * Most)))[vector];
+
+    /// <summary>The plane x = slope z, moved by a margin.</summary>
+    private void SetPlane(int part, int column, double slope, double x, double z, double margin)
+    {
+        _numbers[(column * Most) + part] = (float)-slope;
+        _numbers[((column + 1) * Most) + part] = (float)(x - (slope * z) + margin);
+    }
+
+    /// <summary>A part's rectangle, counted from the pencil's middle, next to each of four triangles.</summary>
+    private void SetPairs(int part, in SlopeBounds slopes, in RayPencil pencil)
+    {
+        int first = PencilTriangles.Most * part;
+        float* to = _numbers + (Most * Columns) + (PairNumbers * (first / F.Width * F.Width)) + (first % F.Width);
+        *(Float4*)to = Float4.Of(slopes.MiddleX - pencil.MiddleX);
+        *(Float4*)(to + F.Width) = Float4.Of(slopes.MiddleY - pencil.MiddleY);
+        *(Float4*)(to + (2 * F.Width)) = Float4.Of(slopes.SpreadX + pencil.SlopeError);
+        *(Float4*)(to + (3 * F.Width)) = Float4.Of(slopes.SpreadY + pencil.SlopeError);
     }
 }

@@ -22,6 +22,9 @@ internal struct RayPencil
     /// <summary>Largest differences of slopes from the middle.</summary>
     public double SpreadX, SpreadY;
 
+    /// <summary>By how much bounds of slopes in floats may be too narrow: slopes are rounded for them, and the middle is.</summary>
+    public double SlopeError;
+
     /// <summary>Which axis (0, 1, 2) has become z.</summary>
     public int Axis;
 

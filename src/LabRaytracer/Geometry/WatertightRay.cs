@@ -48,6 +48,24 @@ internal readonly struct WatertightRay<R>
         ScaleZ = R.Of(1) / directionZ;
     }
 
+    /// <summary>Prepares rays that are known to be largest along the same axis; nothing is promised for others.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public WatertightRay(in RayLanes<R> ray, int axis)
+    {
+        SharedAxis = axis;
+        AlongX = axis == 0 ? R.True : R.Zero;
+        AlongY = axis == 1 ? R.True : R.Zero;
+        (OriginX, OriginY, OriginZ) = axis == 2 ? (ray.OriginX, ray.OriginY, ray.OriginZ)
+            : axis == 1 ? (ray.OriginZ, ray.OriginX, ray.OriginY)
+            : (ray.OriginY, ray.OriginZ, ray.OriginX);
+        (R directionX, R directionY, R directionZ) = axis == 2 ? (ray.DirectionX, ray.DirectionY, ray.DirectionZ)
+            : axis == 1 ? (ray.DirectionZ, ray.DirectionX, ray.DirectionY)
+            : (ray.DirectionY, ray.DirectionZ, ray.DirectionX);
+        ShearX = -directionX / directionZ;
+        ShearY = -directionY / directionZ;
+        ScaleZ = R.Of(1) / directionZ;
+    }
+
     /// <summary>Prepares rays whose every lane counts.</summary>
     public WatertightRay(in RayLanes<R> ray)
         : this(ray, R.True)

@@ -125,8 +125,8 @@ public class MeshPencilTests
             Lane.Put(&lanes.Limit, i, endsAtApex ? (apex - vertices[i]).Length : double.PositiveInfinity);
         }
 
-        Float16* parts = stackalloc Float16[PencilParts.Room<Float16>(1)];
-        Assert.True(PencilFinder.Find(&lanes, 1, ball.Tree(1).Frame, endsAtApex, parts, out RayPencil pencil));
+        SlopeBounds parts;
+        Assert.True(PencilFinder.Find(&lanes, 1, ball.Tree(1).Frame, endsAtApex, &parts, out RayPencil pencil));
         Assert.Equal((2, -1.0), (pencil.Axis, pencil.Sign));
     }
 

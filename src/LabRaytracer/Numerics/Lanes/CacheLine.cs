@@ -6,6 +6,13 @@ namespace LabRaytracer;
 /// <summary>Hints about memory.</summary>
 internal static unsafe class CacheLine
 {
+    /// <summary>Bytes of a line.</summary>
+    public const int Bytes = 64;
+
+    /// <summary>The first address in a room that starts a line, so that no vector lies across two: what is on the stack starts anywhere.</summary>
+    /// <param name="room">A room, <see cref="Bytes"/> larger than what is put there.</param>
+    public static void* Start(byte* room) => (void*)(((nuint)room + Bytes - 1) & ~(nuint)(Bytes - 1));
+
     /// <summary>Asks for the line that holds an address, which will soon be read; changes nothing else.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Prefetch(void* address)
