@@ -70,15 +70,10 @@ internal sealed unsafe class KernelGroup<K, R, F, I> : ShapeGroup<R, F, I>
             int count = Look(member, rays, from, EndOfLook(from, end), seen);
             for (int k = 0; k < count; k++)
             {
-                if (K.IsConvex && I.AllEqual(rays.Source[seen[k]], number))
+                if (!(K.IsConvex && I.AllEqual(rays.Source[seen[k]], number)))
                 {
-                    continue;
-                }
-
-                RayLanes<R> ray = rays.Load(seen[k]);
-                R mask = K.Intersect(shape, ray, out R t);
-                if (R.Any(mask))
-                {
+                    RayLanes<R> ray = rays.Load(seen[k]);
+                    R mask = K.Intersect(shape, ray, out R t);
                     hits.Keep(seen[k], mask, t, number);
                 }
             }
