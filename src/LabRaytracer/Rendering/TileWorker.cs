@@ -163,7 +163,6 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
             {
                 _tracer.Pixels[packet] = I.Iota(packet * R.Width);
                 weights.R[packet] = weights.G[packet] = weights.B[packet] = F.Of(1);
-                _rays.Source[packet] = I.Of(-1);
             }
 
             _hasPrimaryOrder = true;
@@ -177,6 +176,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     /// <summary>Level after level of reflection and refraction; each in batches, in the order in which they arose.</summary>
     private void TraceSecondary()
     {
+        bool any = _queue.Count > 0;
         for (int depth = 1; _queue.Count > 0; depth++)
         {
             _next.Clear();
@@ -188,6 +188,12 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
             }
 
             (_queue, _next) = (_next, _queue);
+        }
+
+        if (any)
+        {
+            // Whoever uses the batch next has rays that leave no object.
+            new Span<int>(_rays.Source, Pixels).Fill(-1);
         }
     }
 
