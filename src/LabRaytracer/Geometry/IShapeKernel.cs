@@ -91,11 +91,23 @@ internal interface IShapeKernel
     /// <summary>The numbers of <see cref="Surface"/> straight into columns: nothing is written that nobody reads.</summary>
     /// <param name="shape">The shape's numbers.</param>
     /// <param name="ray">Rays in object space.</param>
+    /// <param name="t">Ray parameters as <see cref="Intersect"/> gave them.</param>
+    /// <param name="to">Where the surface goes.</param>
+    /// <param name="packet">Group of lanes in the columns.</param>
+    /// <param name="needs">Columns that somebody reads.</param>
+    /// <returns>Bits of the lanes whose numbers are rough yet: they are left to <see cref="SmoothRough"/>.</returns>
+    static virtual uint Smooth<R, P>(in P shape, in RayLanes<R> ray, in R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+        where R : unmanaged, IReal<R>
+        where P : struct, IParameters<R> => throw new NotSupportedException();
+
+    /// <summary><see cref="Smooth"/> for hits that it found rough, with as many digits as they need.</summary>
+    /// <param name="shape">The shape's numbers.</param>
+    /// <param name="ray">Rays in object space.</param>
     /// <param name="t">As for <see cref="Surface"/>.</param>
     /// <param name="to">Where the surface goes.</param>
     /// <param name="packet">Group of lanes in the columns.</param>
     /// <param name="needs">Columns that somebody reads.</param>
-    static virtual void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+    static virtual void SmoothRough<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R> => throw new NotSupportedException();
 

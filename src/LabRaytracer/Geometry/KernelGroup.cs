@@ -70,10 +70,10 @@ internal sealed unsafe partial class KernelGroup<K, R, F, I> : ShapeGroup<R, F, 
             int count = Look(member, rays, from, EndOfLook(from, end), seen);
             for (int k = 0; k < count; k++)
             {
-                RayLanes<R> ray = rays.Load(seen[k]);
-                R mask = K.Intersect(shape, ray, out R t);
-                if (R.Any(mask))
+                if (!(K.IsConvex && I.AllEqual(rays.Source[seen[k]], number)))
                 {
+                    RayLanes<R> ray = rays.Load(seen[k]);
+                    R mask = K.Intersect(shape, ray, out R t);
                     hits.Keep(seen[k], mask, t, number);
                 }
             }

@@ -28,6 +28,15 @@ internal readonly unsafe struct LaneRun<I>
         IsConsecutive = count - first >= I.Width && order[I.Width - 1] - First == I.Width - 1;
     }
 
+    /// <param name="numbers">As many numbers as there are lanes, in any order.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public LaneRun(int* numbers)
+    {
+        Index = I.Load(numbers);
+        First = numbers[0];
+        IsConsecutive = I.AllEqual(Index - I.Iota(0), First);
+    }
+
     /// <summary>The elements of a column of scalars.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public R Collect<R, F>(R* column)

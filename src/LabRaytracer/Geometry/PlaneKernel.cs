@@ -124,14 +124,14 @@ internal readonly unsafe struct PlaneKernel : IShapeKernel
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+    public static uint Smooth<R, P>(in P shape, in RayLanes<R> ray, in R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
         if (IsFloor<R, P>(shape))
         {
             SmoothQuick(shape, ray.OriginX, ray.OriginY, ray.OriginZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ, t, to, packet, needs);
-            return;
+            return 0;
         }
 
         PositionBatch<R> p = to.Positions;
@@ -146,6 +146,7 @@ internal readonly unsafe struct PlaneKernel : IShapeKernel
         R localX = Lane.Dot(qx, qy, qz, shape[AxisX], shape[AxisX + 1], shape[AxisX + 2]);
         R localZ = Lane.Dot(qx, qy, qz, shape[AxisZ], shape[AxisZ + 1], shape[AxisZ + 2]);
         StoreLocal(p, packet, localX, localZ, needs);
+        return 0;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -35,10 +35,16 @@ internal readonly struct PreciseSphereHit<R>
         DoubleWord<R> c = (line.X * line.X) + (line.Y * line.Y) + (line.Z * line.Z) - DoubleWord<R>.Product(radius, radius);
         DoubleWord<R> discriminant = (b * b) - (a * c);
         DoubleWord<R> root = DoubleWord<R>.Sqrt(discriminant);
-        DoubleWord<R> near = (-b - root) / a, far = (root - b) / a;
+        DoubleWord<R> near = (-b - root) / a;
         DoubleWord<R> nearT = line.Parameter(near);
         R isNear = R.Less(R.Zero, nearT.High);
-        DoubleWord<R> along = DoubleWord<R>.Select(isNear, near, far), t = line.Parameter(along);
+        DoubleWord<R> along = near, t = nearT;
+        if (!R.All(isNear))
+        {
+            along = DoubleWord<R>.Select(isNear, near, (root - b) / a);
+            t = line.Parameter(along);
+        }
+
         T = t.High;
         (X, Y, Z) = line.Point(along);
         R unit = RoundedParameter.Unit<R>(), square = radius * radius, error = unit * (R.Abs(c.High) + square + square) / root.High;

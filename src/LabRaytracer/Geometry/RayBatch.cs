@@ -18,7 +18,7 @@ internal sealed unsafe class RayBatch<R, F, I>
     /// <summary>Largest distance of interest, excluded; below 0 for a ray that is off or (shadow rays) blocked.</summary>
     public readonly R* Limit;
 
-    /// <summary>Shadow rays only: number of the object whose outer side the ray leaves, or -1.</summary>
+    /// <summary>Number of the object whose outer side the ray leaves, or -1.</summary>
     public readonly I* Source;
 
     /// <summary>Shadow rays that have a <see cref="Source"/>: number of its part.</summary>

@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -48,28 +49,37 @@ internal static unsafe class SmoothSurface<K>
             return 0;
         }
 
-        int refined = 0;
+        // Hits whose surface takes more digits are few in most groups of lanes: then they are collected, so that these digits are computed for full ones.
+        int* rough = stackalloc int[2 * R.Width];
+        int refined = 0, waiting = 0;
         for (int packet = 0; packet * R.Width < count; packet++)
         {
             LaneRun<I> run = new(order, packet * R.Width, count);
             RayLanes<R> ray = run.Collect<R, F>(rays, t, out R found);
-            R exact = found;
-            if (members == null)
+            uint open = members == null
+                ? K.Smooth(new SharedParameters<R, F, I>(numbers, 0), ray, found, to, packet, needs)
+                : Several<R, F, I>(run, ray, objects, numbers, members, found, to, packet, needs);
+            if (BitOperations.PopCount(open) > R.Width / 2)
             {
-                K.Smooth(new SharedParameters<R, F, I>(numbers, 0), ray, ref exact, to, packet, needs);
-            }
-            else
-            {
-                Several<R, F, I>(run, ray, objects, numbers, members, ref exact, to, packet, needs);
+                refined += Again<R, F, I>(run, ray, t, objects, numbers, members, order, count, to, packet, needs);
+                continue;
             }
 
-            if (!R.All(R.Equal(exact, found)))
+            for (; open != 0; open &= open - 1)
             {
-                refined += Keep<R, F, I>(t, order, count, packet, exact);
+                rough[waiting] = (packet * R.Width) + BitOperations.TrailingZeroCount(open);
+                waiting += rough[waiting] < count ? 1 : 0;
+            }
+
+            if (waiting >= R.Width)
+            {
+                refined += RoughSurface<K>.Run<R, F, I>(rays, t, objects, numbers, members, order, count, rough, R.Width, to, needs);
+                waiting -= R.Width;
+                new ReadOnlySpan<int>(rough + R.Width, waiting).CopyTo(new Span<int>(rough, waiting));
             }
         }
 
-        return refined;
+        return waiting == 0 ? refined : refined + RoughSurface<K>.Run<R, F, I>(rays, t, objects, numbers, members, order, count, rough, waiting, to, needs);
     }
 
     /// <summary>Tells whether the first shape <see cref="IShapeKernel.IsQuick"/>.</summary>
@@ -103,8 +113,8 @@ internal static unsafe class SmoothSurface<K>
     }
 
     /// <summary>Where a group has several shapes: one for all lanes, or a different one in each.</summary>
-    private static void Several<R, F, I>(
-        in LaneRun<I> run, in RayLanes<R> ray, int* objects, R* numbers, int* members, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+    private static uint Several<R, F, I>(
+        in LaneRun<I> run, in RayLanes<R> ray, int* objects, R* numbers, int* members, in R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -113,26 +123,38 @@ internal static unsafe class SmoothSurface<K>
         I number = run.Collect((I*)objects);
         if (I.AllEqual(number, one))
         {
-            K.Smooth(new SharedParameters<R, F, I>(numbers, members[one] * K.ParameterCount), ray, ref t, to, packet, needs);
+            return K.Smooth(new SharedParameters<R, F, I>(numbers, members[one] * K.ParameterCount), ray, t, to, packet, needs);
         }
-        else
-        {
-            I first = I.Gather(members, number) * I.Of(K.ParameterCount);
-            K.Smooth(new GatheredParameters<R, F, I>(numbers, first), ray, ref t, to, packet, needs);
-        }
-    }
 
-    private static int Keep<R, F, I>(R* t, int* order, int count, int packet, R exact)
+        I first = I.Gather(members, number) * I.Of(K.ParameterCount);
+        return K.Smooth(new GatheredParameters<R, F, I>(numbers, first), ray, t, to, packet, needs);
+    }
+    /// <summary>All of a group of lanes again, most of which are rough.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static int Again<R, F, I>(
+        in LaneRun<I> run, in RayLanes<R> ray, R* t, int* objects, R* numbers, int* members, int* order, int count, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        int first = packet * R.Width, refined = 0;
-        for (int lane = 0; lane < R.Width && first + lane < count; lane++)
+        R exact = run.Collect<R, F>(t);
+        int one = objects[run.First];
+        I number = run.Collect((I*)objects);
+        if (members == null || I.AllEqual(number, one))
+        {
+            K.SmoothRough(new SharedParameters<R, F, I>(numbers, members == null ? 0 : members[one] * K.ParameterCount), ray, ref exact, to, packet, needs);
+        }
+        else
+        {
+            K.SmoothRough(new GatheredParameters<R, F, I>(numbers, I.Gather(members, number) * I.Of(K.ParameterCount)), ray, ref exact, to, packet, needs);
+        }
+
+        int from = packet * R.Width, refined = 0;
+        for (int lane = 0; lane < R.Width && from + lane < count; lane++)
         {
             double value = R.Get(exact, lane);
-            refined += value == R.Take(t, order[first + lane]) ? 0 : 1;
-            R.Put(t, order[first + lane], value);
+            refined += value == R.Take(t, order[from + lane]) ? 0 : 1;
+            R.Put(t, order[from + lane], value);
         }
 
         return refined;

@@ -66,6 +66,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
         R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
+        isRoughT &= ~isRough;
         if (R.Any(isRoughT))
         {
             CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
@@ -117,24 +118,18 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Smooth<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+    public static uint Smooth<R, P>(in P shape, in RayLanes<R> ray, in R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
         CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Approach(centred, shape[Radius], t, out R x, out R y, out R z, out R isRough, out R isRoughT);
-        if (R.Any(isRough | isRoughT))
-        {
-            // All of it again, elsewhere: numbers that live across a call would be written to memory each time.
-            SmoothRough(shape, ray, ref t, to, packet, needs);
-            return;
-        }
-
         Store(shape, x, y, z, to, packet, needs);
+        return R.Bits(isRough | isRoughT);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SmoothRough<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
+    public static void SmoothRough<R, P>(in P shape, in RayLanes<R> ray, ref R t, in SurfaceColumns<R> to, int packet, SurfaceNeeds needs)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
@@ -192,6 +187,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         R radius = shape[Radius];
         CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         Approach(centred, radius, t, out x, out y, out z, out R isRough, out R isRoughT);
+        isRoughT &= ~isRough;
         if (R.Any(isRoughT))
         {
             CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);

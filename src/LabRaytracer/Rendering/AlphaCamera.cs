@@ -19,14 +19,14 @@ internal sealed unsafe class AlphaCamera<R, F, I>
         _light = new ColorColumns<F>(memory, capacity);
         _through = (float*)memory.Column<F>(capacity, R.Width);
         _order = memory.Column<int>(capacity + R.Width, 1);
-        Weights = new Intensity[capacity];
+        Weights = new ColorColumns<F>(memory, capacity);
     }
 
     /// <summary>The layers.</summary>
     public AlphaLayers<R, F, I> Layers { get; }
 
     /// <summary>Weight of each ray where it is now: of its light on the current layer, or, after the last, of what lies behind.</summary>
-    public Intensity[] Weights { get; }
+    public ColorColumns<F> Weights { get; }
 
     /// <summary>Numbers of the rays that <see cref="Choose"/> chose, padded to whole groups of lanes.</summary>
     public int* Order => _order;
@@ -59,7 +59,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
     /// <param name="count">How many rays.</param>
     /// <param name="weights">Weights of the batch.</param>
     /// <returns>How many were chosen.</returns>
-    public int Choose(int* order, int count, Intensity[] weights)
+    public int Choose(int* order, int count, in ColorColumns<F> weights)
     {
         int chosen = 0;
         for (int i = 0; i < count; i++)
@@ -72,7 +72,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
 
             if (Layers.Opacity[ray] != 0)
             {
-                Weights[ray] = weights[ray] * (_through[ray] * Layers.Opacity[ray]);
+                Weights.Put(ray, weights.Take(ray) * (_through[ray] * Layers.Opacity[ray]));
                 _order[chosen++] = ray;
             }
         }
@@ -98,7 +98,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
     /// <summary>Goes behind the current layer: rays of which too little is left end here.</summary>
     /// <param name="count">Rays of the batch.</param>
     /// <param name="weights">Their weights.</param>
-    public void Pass(int count, Intensity[] weights)
+    public void Pass(int count, in ColorColumns<F> weights)
     {
         int* objects = (int*)Layers.Hits.Object;
         for (int ray = 0; ray < count; ray++)
@@ -106,7 +106,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
             if (objects[ray] != HitBatch<R, F, I>.Miss)
             {
                 _through[ray] *= 1 - Layers.Opacity[ray];
-                if (_through[ray] * weights[ray].Max < SecondaryStage<R, F, I>.LeastWeight)
+                if (_through[ray] * weights.Take(ray).Max < SecondaryStage<R, F, I>.LeastWeight)
                 {
                     End(ray);
                 }
@@ -120,7 +120,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
     /// <param name="rays">The rays; those that ended are turned off.</param>
     /// <param name="opaque">Their opaque hits; forgotten where they ended.</param>
     /// <param name="weights">Their weights.</param>
-    public void Finish(RayBatch<R, F, I> rays, HitBatch<R, F, I> opaque, Intensity[] weights)
+    public void Finish(RayBatch<R, F, I> rays, HitBatch<R, F, I> opaque, in ColorColumns<F> weights)
     {
         int* objects = (int*)Layers.Hits.Object;
         for (int ray = 0; ray < rays.Count; ray++)
@@ -130,7 +130,7 @@ internal sealed unsafe class AlphaCamera<R, F, I>
                 End(ray);
             }
 
-            Weights[ray] = weights[ray] * _through[ray];
+            Weights.Put(ray, weights.Take(ray) * _through[ray]);
             if (_through[ray] == 0)
             {
                 ((int*)opaque.Object)[ray] = HitBatch<R, F, I>.Miss;

@@ -16,7 +16,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     private readonly ShadingBuffers<R, F, I> _buffers;
     private readonly LightStage<R, F, I> _lights;
     private readonly SecondaryStage<R, F, I> _secondaryStage;
-    private readonly SecondaryRays _secondary;
+    private readonly SecondaryRays<R, F, I> _secondary;
     private readonly StepNeeds _steps;
     private readonly SurfaceNeeds _needs;
     private readonly PixelSampling? _sampling;
@@ -38,13 +38,13 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         _steps = FilterView.Is(options.View) ? StepNeeds.Local | StepNeeds.SurfaceGradient : StepNeeds.None;
         HasDifferentials = scene.NeedsDifferentials || FilterView.Is(options.View);
         _buffers = new ShadingBuffers<R, F, I>(scene, memory, capacity, HasDifferentials);
-        _secondary = new SecondaryRays(capacity);
+        _secondary = new SecondaryRays<R, F, I>(memory, capacity);
         _secondaryStage = new SecondaryStage<R, F, I>(_buffers, _secondary, counters, memory, capacity, scene.IsSkipping);
         Radiance = new ColorColumns<F>(memory, capacity);
-        Weights = new Intensity[capacity];
-        Pixels = new int[capacity];
-        Tally = options.View == RenderView.Cost ? new RayTally(Pixels, capacity) : null;
-        LampPlaces<R, F, I>? places = sampling is null ? null : new LampPlaces<R, F, I>(sampling, Pixels, memory, capacity);
+        Weights = new ColorColumns<F>(memory, capacity);
+        Pixels = memory.Column<I>(capacity, I.Width);
+        Tally = options.View == RenderView.Cost ? new RayTally((int*)Pixels, capacity) : null;
+        LampPlaces<R, F, I>? places = sampling is null ? null : new LampPlaces<R, F, I>(sampling, (int*)Pixels, memory, capacity);
         EnvironmentStage<R, F, I>? skies = scene.Environments.All(environment => environment is null)
             ? null
             : new EnvironmentStage<R, F, I>(scene, places!, counters, memory, capacity);
@@ -68,10 +68,10 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     public ColorColumns<F> Radiance { get; set; }
 
     /// <summary>Weight of each ray of the batch.</summary>
-    public Intensity[] Weights { get; }
+    public ColorColumns<F> Weights { get; }
 
     /// <summary>Pixel of each ray of the batch.</summary>
-    public int[] Pixels { get; }
+    public I* Pixels { get; }
 
     /// <summary>Counts rays by pixel; null if nobody asks.</summary>
     public RayTally? Tally { get; }
@@ -80,7 +80,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     /// <param name="rays">The rays.</param>
     /// <param name="depth">Reflections and refractions so far.</param>
     /// <param name="queue">Receives the reflected and refracted rays.</param>
-    public void Trace(RayBatch<R, F, I> rays, int depth, SecondaryQueue queue)
+    public void Trace(RayBatch<R, F, I> rays, int depth, SecondaryQueue<R, F, I> queue)
     {
         _sampling?.StartDepth(depth);
         _secondary.Start(queue);
@@ -88,7 +88,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         _scene.Nearest(rays, _hits);
         Counters.Charge(RenderStage.Intersect);
         bool passed = _alpha is not null && TraceLayers(_alpha, rays, depth);
-        Intensity[] weights = passed ? _alpha!.Weights : Weights;
+        ColorColumns<F> weights = passed ? _alpha!.Weights : Weights;
         _groups.Sort(rays, _hits);
         Counters.Charge(RenderStage.Group);
         for (int key = 0; key < _scene.Keys.Count; key++)
@@ -157,7 +157,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
     }
 
     private void Shade(
-        ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int depth, Intensity[] weights, R* travelled = null)
+        ShadingKey<R, F, I> key, RayBatch<R, F, I> rays, HitBatch<R, F, I> hits, int* order, int count, int depth, in ColorColumns<F> weights, R* travelled = null)
     {
         if (key.Material.Inside is not { } inside || _sides is null)
         {
@@ -180,7 +180,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         int* order,
         int count,
         int depth,
-        Intensity[] weights,
+        in ColorColumns<F> weights,
         R* travelled)
     {
         if (count == 0)

@@ -1,7 +1,7 @@
 namespace LabRaytracer;
 
 /// <summary>Where on a lamp the samples of a group of hits lie.</summary>
-internal sealed unsafe class LampPlaces<R, F, I>(PixelSampling sampling, int[] pixels, LaneMemory memory, int capacity)
+internal sealed unsafe class LampPlaces<R, F, I>(PixelSampling sampling, int* pixels, LaneMemory memory, int capacity)
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>

@@ -3,7 +3,7 @@ namespace LabRaytracer;
 /// <summary>Number of rays that each pixel of a tile causes, as the statistics count them.</summary>
 /// <param name="pixelOfRay">Number of the pixel of each ray of the batch that is traced; filled by the owner.</param>
 /// <param name="pixels">Pixels of a tile.</param>
-internal sealed unsafe class RayTally(int[] pixelOfRay, int pixels)
+internal sealed unsafe class RayTally(int* pixelOfRay, int pixels)
 {
     private readonly int[] _counts = new int[pixels];
 

@@ -1,37 +1,49 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>Columns of reflected or refracted rays of one group of hits.</summary>
+/// <summary>Columns of reflected or refracted rays: of one group of hits, or all that wait for their turn.</summary>
 internal sealed unsafe class SecondaryColumns<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
 {
-    private readonly R* _originX, _originY, _originZ, _directionX, _directionY, _directionZ;
-    private readonly ColorColumns<F> _share;
+    /// <summary>Origins and directions of length 1, world space.</summary>
+    public readonly VectorColumns<R> Origin, Direction;
+
+    /// <summary>Pixel of each ray in the tile.</summary>
+    public readonly I* Pixel;
+
+    /// <summary>Number of the object whose outer side each ray leaves, or -1.</summary>
+    public readonly I* Source;
 
     public SecondaryColumns(LaneMemory memory, int capacity, bool hasDifferentials)
     {
-        _originX = memory.Column<R>(capacity, R.Width);
-        _originY = memory.Column<R>(capacity, R.Width);
-        _originZ = memory.Column<R>(capacity, R.Width);
-        _directionX = memory.Column<R>(capacity, R.Width);
-        _directionY = memory.Column<R>(capacity, R.Width);
-        _directionZ = memory.Column<R>(capacity, R.Width);
+        Origin = new VectorColumns<R>(memory, capacity);
+        Direction = new VectorColumns<R>(memory, capacity);
+        Weight = new ColorColumns<F>(memory, capacity);
+        Pixel = memory.Column<I>(capacity, I.Width);
+        Source = memory.Column<I>(capacity, I.Width);
         Differentials = hasDifferentials ? new DifferentialColumns<F>(memory, capacity) : default;
-        _share = new ColorColumns<F>(memory, capacity);
+        HasDifferentials = hasDifferentials;
     }
 
-    /// <summary>How the rays change from sample to sample; only there if rays carry differentials.</summary>
+    /// <summary>Share of each ray's light that reaches its origin or, once it waits, its pixel.</summary>
+    public ColorColumns<F> Weight { get; }
+
+    /// <summary>Whether the rays carry differentials.</summary>
+    public bool HasDifferentials { get; }
+
+    /// <summary>How the rays change from sample to sample; only there if they carry differentials.</summary>
     public DifferentialColumns<F> Differentials { get; }
 
     /// <summary>Writes the shares of light that the rays bring.</summary>
     public void SetShare(int packet, F red, F green, F blue)
     {
-        _share.R[packet] = red;
-        _share.G[packet] = green;
-        _share.B[packet] = blue;
+        Weight.R[packet] = red;
+        Weight.G[packet] = green;
+        Weight.B[packet] = blue;
     }
 
     /// <summary>Writes rays: directions of any length become unit vectors; origins lie a slack beside the hit points.</summary>
@@ -44,34 +56,68 @@ internal sealed unsafe class SecondaryColumns<R, F, I>
     public void SetRay(int packet, SurfaceBatch<R, F, I> s, R slack, R x, R y, R z)
     {
         R toUnit = R.Of(1) / R.Sqrt(Lane.Dot(x, y, z, x, y, z));
-        _directionX[packet] = x * toUnit;
-        _directionY[packet] = y * toUnit;
-        _directionZ[packet] = z * toUnit;
-        _originX[packet] = R.Fma(slack, s.NormalX[packet], s.PointX[packet]);
-        _originY[packet] = R.Fma(slack, s.NormalY[packet], s.PointY[packet]);
-        _originZ[packet] = R.Fma(slack, s.NormalZ[packet], s.PointZ[packet]);
+        Direction.Store(packet, x * toUnit, y * toUnit, z * toUnit);
+        Origin.Store(
+            packet,
+            R.Fma(slack, s.NormalX[packet], s.PointX[packet]),
+            R.Fma(slack, s.NormalY[packet], s.PointY[packet]),
+            R.Fma(slack, s.NormalZ[packet], s.PointZ[packet]));
     }
 
-    /// <summary>Share of light of one ray.</summary>
-    public Intensity Share(int i) => _share.Take(i);
-
-    /// <summary>Writes one ray.</summary>
-    /// <param name="i">Number of the hit that it starts from.</param>
-    /// <param name="weight">Share of its light that reaches the pixel.</param>
-    /// <param name="pixel">Number of the pixel in the tile.</param>
-    /// <param name="ray">Where it goes.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Write(int i, Intensity weight, int pixel, ref SecondaryRay ray)
+    /// <summary>Writes some lanes of a group of other columns one behind the other. What lies behind them, up to a whole group, may change.</summary>
+    /// <param name="from">The other columns.</param>
+    /// <param name="packet">The group.</param>
+    /// <param name="lanes">Bits of the lanes.</param>
+    /// <param name="place">Number of the first ray that is written.</param>
+    public void Pack(SecondaryColumns<R, F, I> from, int packet, uint lanes, int place)
     {
-        ray.OriginX = R.Take(_originX, i);
-        ray.OriginY = R.Take(_originY, i);
-        ray.OriginZ = R.Take(_originZ, i);
-        ray.DirectionX = R.Take(_directionX, i);
-        ray.DirectionY = R.Take(_directionY, i);
-        ray.DirectionZ = R.Take(_directionZ, i);
-        ray.Red = weight.R;
-        ray.Green = weight.G;
-        ray.Blue = weight.B;
-        ray.Pixel = pixel;
+        Pack(from.Origin, packet, lanes, Origin, place);
+        Pack(from.Direction, packet, lanes, Direction, place);
+        Pack<F>(new(from.Weight.R, from.Weight.G, from.Weight.B), packet, lanes, new(Weight.R, Weight.G, Weight.B), place);
+        Pack(from.Pixel, packet, lanes, (int*)Pixel + place);
+        Pack(from.Source, packet, lanes, (int*)Source + place);
+        if (HasDifferentials)
+        {
+            Pack(from.Differentials.OriginDx, packet, lanes, Differentials.OriginDx, place);
+            Pack(from.Differentials.DirectionDx, packet, lanes, Differentials.DirectionDx, place);
+            Pack(from.Differentials.OriginDy, packet, lanes, Differentials.OriginDy, place);
+            Pack(from.Differentials.DirectionDy, packet, lanes, Differentials.DirectionDy, place);
+        }
     }
+
+    private static void Pack<T>(in VectorColumns<T> from, int packet, uint lanes, in VectorColumns<T> to, int place)
+        where T : unmanaged, IReal<T>
+    {
+        if (AreFirst(lanes))
+        {
+            long at = (long)place * (sizeof(T) / T.Width);
+            Unsafe.WriteUnaligned((byte*)to.X + at, from.X[packet]);
+            Unsafe.WriteUnaligned((byte*)to.Y + at, from.Y[packet]);
+            Unsafe.WriteUnaligned((byte*)to.Z + at, from.Z[packet]);
+            return;
+        }
+
+        for (; lanes != 0; lanes &= lanes - 1)
+        {
+            to.Put(place++, from.Take((packet * T.Width) + BitOperations.TrailingZeroCount(lanes)));
+        }
+    }
+
+    private static void Pack(I* from, int packet, uint lanes, int* to)
+    {
+        if (AreFirst(lanes))
+        {
+            I.Store(from[packet], to);
+            return;
+        }
+
+        for (; lanes != 0; lanes &= lanes - 1)
+        {
+            *to++ = ((int*)from)[(packet * I.Width) + BitOperations.TrailingZeroCount(lanes)];
+        }
+    }
+
+    /// <summary>Tells whether lanes are the first ones of their group, all of them perhaps.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreFirst(uint lanes) => (lanes & (lanes + 1)) == 0;
 }

@@ -1,112 +1,138 @@
+using System.Numerics;
+
 namespace LabRaytracer;
 
 /// <summary>The reflected and refracted rays that a batch leaves behind, lined up in the order of the rays they come from.</summary>
 /// <remarks>
 /// The order does not depend on how hits were grouped or batches were cut: so neither does the order in which light is added to a pixel, to the last bit.
 /// </remarks>
-/// <param name="capacity">Most rays of a batch.</param>
-internal sealed class SecondaryRays(int capacity)
+internal sealed unsafe class SecondaryRays<R, F, I>
+    where R : unmanaged, ILane<R, F, I>
+    where F : unmanaged, ILane<F, F, I>
+    where I : unmanaged, IIndexLane<I>
 {
-    private const byte IsReflected = 1, IsRefracted = 2;
+    private const int Absent = -1;
 
-    private readonly int[] _reflected = new int[capacity];
-    private readonly int[] _refracted = new int[capacity];
-    private readonly byte[] _present = new byte[capacity];
+    private readonly int* _reflected, _refracted, _both;
     private readonly List<(int Ray, int Turn, int Place)> _layers = [];
-    private SecondaryQueue? _queue;
-    private bool _any;
+    private SecondaryQueue<R, F, I>? _queue;
+    private bool _anyReflected, _anyRefracted;
+
+    /// <param name="memory">Owns the columns.</param>
+    /// <param name="capacity">Most rays of a batch.</param>
+    public SecondaryRays(LaneMemory memory, int capacity)
+    {
+        _reflected = memory.Column<int>(capacity, 1);
+        _refracted = memory.Column<int>(capacity, 1);
+        _both = memory.Column<int>(2 * capacity, 1);
+        Forget(capacity);
+    }
 
     /// <summary>Where the rays are kept, once a batch has been started.</summary>
-    public SecondaryQueue Queue => _queue!;
+    public SecondaryQueue<R, F, I> Queue => _queue!;
 
     /// <summary>Starts a batch.</summary>
     /// <param name="queue">Receives the rays.</param>
-    public void Start(SecondaryQueue queue) => _queue = queue;
+    public void Start(SecondaryQueue<R, F, I> queue) => _queue = queue;
 
-    /// <summary>Makes room for the reflected ray of a ray.</summary>
-    /// <returns>Its place in the queue.</returns>
-    public int Reflect(int ray)
+    /// <summary>Tells where reflected rays are kept.</summary>
+    /// <param name="order">Numbers of the rays of a group of lanes, in increasing order.</param>
+    /// <param name="lanes">Bits of the lanes that are reflected.</param>
+    /// <param name="place">Place of the first one's reflected ray; the others lie behind it.</param>
+    public void Reflect(int* order, uint lanes, int place)
     {
-        _present[ray] |= IsReflected;
-        _any = true;
-        return _reflected[ray] = Queue.Arise();
+        _anyReflected = true;
+        Keep(_reflected, order, lanes, place);
     }
 
-    /// <summary>Makes room for the refracted ray of a ray.</summary>
-    /// <returns>Its place in the queue.</returns>
-    public int Refract(int ray)
+    /// <summary>Tells where refracted rays are kept.</summary>
+    /// <param name="order">Numbers of the rays of a group of lanes, in increasing order.</param>
+    /// <param name="lanes">Bits of the lanes that are refracted.</param>
+    /// <param name="place">Place of the first one's refracted ray; the others lie behind it.</param>
+    public void Refract(int* order, uint lanes, int place)
     {
-        _present[ray] |= IsRefracted;
-        _any = true;
-        return _refracted[ray] = Queue.Arise();
+        _anyRefracted = true;
+        Keep(_refracted, order, lanes, place);
     }
 
     /// <summary>Sets the rays of one layer of surfaces aside: the next layer has rays of its own.</summary>
     /// <param name="count">Number of rays of the batch.</param>
     public void EndLayer(int count)
     {
-        for (int ray = 0; _any && ray < count; ray++)
+        if (!_anyReflected && !_anyRefracted)
         {
-            if ((_present[ray] & IsReflected) != 0)
+            return;
+        }
+
+        for (int ray = 0; ray < count; ray++)
+        {
+            if (_reflected[ray] != Absent)
             {
                 _layers.Add((ray, _layers.Count, _reflected[ray]));
             }
 
-            if ((_present[ray] & IsRefracted) != 0)
+            if (_refracted[ray] != Absent)
             {
                 _layers.Add((ray, _layers.Count, _refracted[ray]));
             }
-
-            _present[ray] = 0;
         }
 
-        _any = false;
+        Forget(count);
     }
 
     /// <summary>Lines up what was kept.</summary>
     /// <param name="count">Number of rays of the batch.</param>
     public void LineUp(int count)
     {
-        if (!_any && _layers.Count == 0)
+        if (_layers.Count > 0)
         {
+            // What lies behind the layers is the last one.
+            EndLayer(count);
+            _layers.Sort(static (a, b) => (a.Ray, a.Turn).CompareTo((b.Ray, b.Turn)));
+            foreach ((_, _, int place) in _layers)
+            {
+                int one = place;
+                Queue.Line(&one, 1);
+            }
+
+            _layers.Clear();
+        }
+        else if (_anyRefracted)
+        {
+            for (int ray = 0; ray < count; ray++)
+            {
+                _both[2 * ray] = _reflected[ray];
+                _both[(2 * ray) + 1] = _refracted[ray];
+            }
+
+            Queue.Line(_both, 2 * count);
+            Forget(count);
+        }
+        else if (_anyReflected)
+        {
+            Queue.Line(_reflected, count);
+            Forget(count);
+        }
+    }
+
+    private static void Keep(int* places, int* order, uint lanes, int place)
+    {
+        if (lanes == uint.MaxValue >> (32 - R.Width) && order[I.Width - 1] - order[0] == I.Width - 1)
+        {
+            I.Store(I.Iota(place), places + order[0]);
             return;
         }
 
-        if (_layers.Count > 0)
+        for (; lanes != 0; lanes &= lanes - 1)
         {
-            _layers.Sort(static (a, b) => (a.Ray, a.Turn).CompareTo((b.Ray, b.Turn)));
+            places[order[BitOperations.TrailingZeroCount(lanes)]] = place++;
         }
-
-        int layer = 0;
-        for (int ray = 0; ray < count; ray++)
-        {
-            for (; layer < _layers.Count && _layers[layer].Ray == ray; layer++)
-            {
-                Queue.Line(_layers[layer].Place);
-            }
-
-            if (_present[ray] != 0)
-            {
-                LineUpOne(ray);
-            }
-        }
-
-        _layers.Clear();
-        _any = false;
     }
 
-    private void LineUpOne(int ray)
+    private void Forget(int count)
     {
-        if ((_present[ray] & IsReflected) != 0)
-        {
-            Queue.Line(_reflected[ray]);
-        }
-
-        if ((_present[ray] & IsRefracted) != 0)
-        {
-            Queue.Line(_refracted[ray]);
-        }
-
-        _present[ray] = 0;
+        new Span<int>(_reflected, count).Fill(Absent);
+        new Span<int>(_refracted, count).Fill(Absent);
+        _anyReflected = _anyRefracted = false;
     }
 }

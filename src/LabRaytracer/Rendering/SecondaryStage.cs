@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -16,13 +17,13 @@ internal sealed unsafe class SecondaryStage<R, F, I>
     public const float LeastWeight = 1f / 4096;
 
     private readonly ShadingBuffers<R, F, I> _buffers;
-    private readonly SecondaryRays _secondary;
+    private readonly SecondaryRays<R, F, I> _secondary;
     private readonly WorkerCounters _counters;
     private readonly bool _isSkipping;
     private readonly SecondaryColumns<R, F, I> _reflected;
     private readonly SecondaryColumns<R, F, I> _refracted;
 
-    public SecondaryStage(ShadingBuffers<R, F, I> buffers, SecondaryRays secondary, WorkerCounters counters, LaneMemory memory, int capacity, bool isSkipping)
+    public SecondaryStage(ShadingBuffers<R, F, I> buffers, SecondaryRays<R, F, I> secondary, WorkerCounters counters, LaneMemory memory, int capacity, bool isSkipping)
     {
         _buffers = buffers;
         _secondary = secondary;
@@ -39,7 +40,7 @@ internal sealed unsafe class SecondaryStage<R, F, I>
     /// <param name="count">How many.</param>
     /// <param name="weights">Weight of each ray of the batch.</param>
     /// <param name="pixels">Pixel of each ray of the batch.</param>
-    public void Run(CompiledMaterial material, RayBatch<R, F, I> rays, int* order, int count, Intensity[] weights, int[] pixels)
+    public void Run(CompiledMaterial material, RayBatch<R, F, I> rays, int* order, int count, in ColorColumns<F> weights, I* pixels)
     {
         bool isTransparent = !material.Transparency.IsBlack;
         for (int packet = 0; packet * R.Width < count; packet++)
@@ -54,37 +55,59 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             Reflect(packet);
         }
 
-        bool isDifferentiated = _buffers.Footprints is not null;
-        if (isDifferentiated)
+        if (_buffers.Footprints is not null)
         {
             Differentiate(material, rays, order, count);
         }
 
-        for (int i = 0; i < count; i++)
+        for (int packet = 0; packet * R.Width < count; packet++)
         {
-            int ray = order[i];
-            Intensity reflected = _reflected.Share(i) * weights[ray];
-            if (IsFollowed(reflected))
+            int first = packet * R.Width;
+            LaneRun<I> run = new(order, first, count);
+            uint held = uint.MaxValue >> (32 - Math.Min(R.Width, count - first));
+            if (Follow(_reflected, packet, run, weights, held) is not 0 and uint reflected)
             {
-                Keep(_reflected, i, Weight(reflected), pixels[ray], _secondary.Reflect(ray), isDifferentiated);
+                _reflected.Pixel[packet] = run.Collect(pixels);
+                _reflected.Source[packet] = _buffers.ShadowRays.Source[packet];
+                _secondary.Reflect(order + first, reflected, _secondary.Queue.Arise(_reflected, packet, reflected));
             }
 
-            Intensity refracted = isTransparent ? _refracted.Share(i) * weights[ray] : Intensity.Black;
-            if (isTransparent && IsFollowed(refracted))
+            if (isTransparent && Follow(_refracted, packet, run, weights, held) is not 0 and uint refracted)
             {
-                Keep(_refracted, i, Weight(refracted), pixels[ray], _secondary.Refract(ray), isDifferentiated);
+                _refracted.Pixel[packet] = run.Collect(pixels);
+                _refracted.Source[packet] = I.Of(-1);
+                _secondary.Refract(order + first, refracted, _secondary.Queue.Arise(_refracted, packet, refracted));
             }
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Keep(SecondaryColumns<R, F, I> rays, int i, Intensity weight, int pixel, int place, bool isDifferentiated)
+    /// <summary>Makes weights of shares, and chooses the rays that are followed.</summary>
+    /// <param name="rays">Reflected or refracted rays.</param>
+    /// <param name="packet">Group of lanes.</param>
+    /// <param name="run">The rays that they come from.</param>
+    /// <param name="weights">Weight of each ray of the batch.</param>
+    /// <param name="held">Bits of the lanes that hold hits.</param>
+    /// <returns>Bits of the lanes that are followed. The weight is black where that is only so because nothing is skipped.</returns>
+    private uint Follow(SecondaryColumns<R, F, I> rays, int packet, in LaneRun<I> run, in ColorColumns<F> weights, uint held)
     {
-        rays.Write(i, weight, pixel, ref _secondary.Queue.At(place));
-        if (isDifferentiated)
+        run.Collect<F, F>(weights.R, weights.G, weights.B, out F red, out F green, out F blue);
+        red *= rays.Weight.R[packet];
+        green *= rays.Weight.G[packet];
+        blue *= rays.Weight.B[packet];
+        F most = F.Max(red, F.Max(green, blue)), isNumber = F.Equal(red, red) & F.Equal(green, green) & F.Equal(blue, blue);
+        F isStrong = isNumber & F.LessOrEqual(F.Of(LeastWeight), most);
+        uint strong = F.Bits(isStrong) & held, faint = F.Bits(isNumber & F.Less(F.Zero, most)) & held & ~strong;
+        _counters.SecondaryRays += BitOperations.PopCount(strong);
+        if (faint == 0 || _isSkipping)
         {
-            _secondary.Queue.DifferentialAt(place) = rays.Differentials.Take(i);
+            _counters.SecondaryRaysSkipped += BitOperations.PopCount(faint);
+            rays.SetShare(packet, red, green, blue);
+            return strong;
         }
+
+        _counters.SecondaryRays += BitOperations.PopCount(faint);
+        rays.SetShare(packet, red & isStrong, green & isStrong, blue & isStrong);
+        return strong | faint;
     }
 
     /// <summary>Refracted rays; what the boundary mirrors instead is added to the reflected shares.</summary>
@@ -168,45 +191,4 @@ internal sealed unsafe class SecondaryStage<R, F, I>
             (isDown ? refracted.DirectionDy : refracted.DirectionDx).Store(packet, x, y, z);
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool IsFollowed(in Intensity share)
-    {
-        if (share.R >= LeastWeight && share.G >= LeastWeight && share.B >= LeastWeight)
-        {
-            _counters.SecondaryRays++;
-            return true;
-        }
-
-        return IsFollowedByMaximum(share);
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private bool IsFollowedByMaximum(Intensity share)
-    {
-        if (share.Max >= LeastWeight)
-        {
-            _counters.SecondaryRays++;
-            return true;
-        }
-
-        if (!(share.Max > 0))
-        {
-            return false;
-        }
-
-        if (_isSkipping)
-        {
-            _counters.SecondaryRaysSkipped++;
-        }
-        else
-        {
-            _counters.SecondaryRays++;
-        }
-
-        return !_isSkipping;
-    }
-
-    /// <summary>The weight of a ray that is followed; black if only because nothing is skipped.</summary>
-    private Intensity Weight(in Intensity share) => _isSkipping || share.Max >= LeastWeight ? share : Intensity.Black;
 }

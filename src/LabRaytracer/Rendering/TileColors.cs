@@ -68,6 +68,19 @@ internal sealed unsafe class TileColors<F>
     /// <summary>Adds light to one pixel of the sample.</summary>
     public void AddToSample(int pixel, Intensity light) => _sample.Put(pixel, _sample.Take(pixel) + light);
 
+    /// <summary>Adds light to as many consecutive pixels of the sample as there are lanes.</summary>
+    /// <param name="first">The first pixel.</param>
+    /// <param name="red">The light.</param>
+    /// <param name="green">The light.</param>
+    /// <param name="blue">The light.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void AddToSample(int first, F red, F green, F blue)
+    {
+        Add((float*)_sample.R + first, red);
+        Add((float*)_sample.G + first, green);
+        Add((float*)_sample.B + first, blue);
+    }
+
     /// <summary>Light of one pixel of the sample.</summary>
     public Intensity TakeSample(int pixel) => _sample.Take(pixel);
 
@@ -104,4 +117,7 @@ internal sealed unsafe class TileColors<F>
             _sum.B[packet] *= share;
         }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Add(float* place, F light) => Unsafe.WriteUnaligned(place, Unsafe.ReadUnaligned<F>(place) + light);
 }

@@ -27,8 +27,8 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private readonly PixelSampling? _sampling;
     private readonly LensStage<R, F, I>? _lens;
     private bool _hasPrimaryOrder;
-    private SecondaryQueue _queue;
-    private SecondaryQueue _next;
+    private SecondaryQueue<R, F, I> _queue;
+    private SecondaryQueue<R, F, I> _next;
 
     /// <param name="scene">The scene.</param>
     /// <param name="options">How it is rendered.</param>
@@ -41,8 +41,8 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         _sampling = scene.NeedsSampling ? new PixelSampling(options.Seed, Pixels) : null;
         _tracer = new BatchTracer<R, F, I>(scene, options, _memory, new WorkerCounters(), Pixels, _sampling);
         _rays = new RayBatch<R, F, I>(_memory, Pixels, _tracer.HasDifferentials);
-        _queue = new SecondaryQueue(_tracer.HasDifferentials);
-        _next = new SecondaryQueue(_tracer.HasDifferentials);
+        _queue = new SecondaryQueue<R, F, I>(_memory, _tracer.HasDifferentials);
+        _next = new SecondaryQueue<R, F, I>(_memory, _tracer.HasDifferentials);
         _pixelX = _memory.Column<R>(Pixels, R.Width);
         _pixelY = _memory.Column<R>(Pixels, R.Width);
         _sampleX = _memory.Column<R>(Pixels, R.Width);
@@ -158,10 +158,11 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     {
         if (!_hasPrimaryOrder)
         {
-            for (int i = 0; i < Pixels; i++)
+            ColorColumns<F> weights = _tracer.Weights;
+            for (int packet = 0; packet < Pixels / R.Width; packet++)
             {
-                _tracer.Pixels[i] = i;
-                _tracer.Weights[i] = Intensity.White;
+                _tracer.Pixels[packet] = I.Iota(packet * R.Width);
+                weights.R[packet] = weights.G[packet] = weights.B[packet] = F.Of(1);
             }
 
             _hasPrimaryOrder = true;
@@ -175,25 +176,24 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     /// <summary>Level after level of reflection and refraction; each in batches, in the order in which they arose.</summary>
     private void TraceSecondary()
     {
+        bool any = _queue.Count > 0;
         for (int depth = 1; _queue.Count > 0; depth++)
         {
             _next.Clear();
             for (int first = 0; first < _queue.Count; first += Pixels)
             {
-                int count = Math.Min(Pixels, _queue.Count - first);
-                Load(first, count);
+                Load(first, Math.Min(Pixels, _queue.Count - first));
                 _tracer.Trace(_rays, depth, _next);
-                for (int i = 0; i < count; i++)
-                {
-                    // Light without weight counts for nothing, even where it is not finite.
-                    if (_scene.IsSkipping || _tracer.Weights[i] != Intensity.Black)
-                    {
-                        _colors.AddToSample(_tracer.Pixels[i], _tracer.Radiance.Take(i) * _tracer.Weights[i]);
-                    }
-                }
+                AddToSample();
             }
 
             (_queue, _next) = (_next, _queue);
+        }
+
+        if (any)
+        {
+            // Whoever uses the batch next has rays that leave no object.
+            new Span<int>(_rays.Source, Pixels).Fill(-1);
         }
     }
 
@@ -204,20 +204,33 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         _rays.Pinhole = null;
         _hasPrimaryOrder = false;
         _originPackets = 0;
-        for (int i = 0; i < count; i++)
+        _queue.Take(first, _rays, _tracer.Weights, _tracer.Pixels);
+        _rays.PadTail();
+    }
+
+    /// <summary>Adds the light of secondary rays to their pixels: at once where a group of lanes has consecutive ones.</summary>
+    private void AddToSample()
+    {
+        ColorColumns<F> light = _tracer.Radiance, weights = _tracer.Weights;
+        I* pixels = _tracer.Pixels;
+        for (int packet = 0; packet < _rays.Packets; packet++)
         {
-            ref readonly SecondaryRay secondary = ref _queue[first + i];
-            _rays.Set(i, secondary.OriginX, secondary.OriginY, secondary.OriginZ, secondary.DirectionX, secondary.DirectionY, secondary.DirectionZ);
-            R.Put(_rays.Limit, i, double.PositiveInfinity);
-            if (_rays.HasDifferentials)
+            int first = packet * R.Width, pixel = ((int*)pixels)[first];
+            if (_scene.IsSkipping && first + R.Width <= _rays.Count && I.AllEqual(pixels[packet] - I.Iota(0), pixel))
             {
-                _rays.Differentials.Put(i, _queue.Differential(first + i), 1);
+                _colors.AddToSample(pixel, light.R[packet] * weights.R[packet], light.G[packet] * weights.G[packet], light.B[packet] * weights.B[packet]);
+                continue;
             }
 
-            _tracer.Weights[i] = secondary.Weight;
-            _tracer.Pixels[i] = secondary.Pixel;
+            for (int ray = first; ray < Math.Min(first + R.Width, _rays.Count); ray++)
+            {
+                // Light without weight counts for nothing, even where it is not finite.
+                Intensity weight = weights.Take(ray);
+                if (_scene.IsSkipping || weight != Intensity.Black)
+                {
+                    _colors.AddToSample(((int*)pixels)[ray], light.Take(ray) * weight);
+                }
+            }
         }
-
-        _rays.PadTail();
     }
 }

@@ -57,7 +57,7 @@ public unsafe class FloorTests
         {
             using LaneMemory memory = new();
             SurfaceBatch<Double1, Float1, Int1> to = new(memory, 1);
-            PlaneKernel.Smooth(shape, ray, ref found, to.Columns, 0, SurfaceNeeds.LocalPoint);
+            PlaneKernel.Smooth(shape, ray, found, to.Columns, 0, SurfaceNeeds.LocalPoint);
             surface = [to.PointX->Value, to.PointY->Value, to.PointZ->Value, to.Slack->Value, to.Positions.X->Value, to.Positions.Y->Value, to.Positions.Z->Value];
         }
 
