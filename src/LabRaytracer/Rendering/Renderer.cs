@@ -21,6 +21,40 @@ public static class Renderer
         Scene scene, RenderOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellation = default) =>
         Render(scene, options ?? new RenderOptions(), LaneWidth.Best, progress, cancellation);
 
+    /// <summary>Renders into a picture that is there already: frame after frame, without new memory for each.</summary>
+    /// <param name="scene">The scene; not edited meanwhile.</param>
+    /// <param name="options">How; its crop, or else its whole size, is that of the picture.</param>
+    /// <param name="into">Receives the pixels, linear; what it showed is lost, also if the render is cancelled or fails.</param>
+    /// <param name="progress">As for <see cref="Render(Scene, RenderOptions?, IProgress{double}?, CancellationToken)"/>.</param>
+    /// <param name="cancellation">Stops the render between two tiles.</param>
+    /// <returns>What was done.</returns>
+    /// <exception cref="ArgumentException">The picture has another size.</exception>
+    /// <exception cref="OperationCanceledException">The render was cancelled.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The crop lies outside the picture of the options.</exception>
+    /// <exception cref="PictureFormatException">A texture's file is not a picture.</exception>
+    public static RenderStatistics RenderInto(
+        Scene scene, RenderOptions options, Picture into, IProgress<double>? progress = null, CancellationToken cancellation = default)
+    {
+        ArgumentNullException.ThrowIfNull(scene);
+        ArgumentNullException.ThrowIfNull(options);
+        ArgumentNullException.ThrowIfNull(into);
+        PixelRectangle area = Area(options);
+        if (into.Width != area.Width || into.Height != area.Height)
+        {
+            throw new ArgumentException(
+                $"The picture has {into.Width} x {into.Height} pixels; the options say {area.Width} x {area.Height}.", nameof(into));
+        }
+
+        if (TileArea(options) == area)
+        {
+            return Render(scene, options, LaneWidth.Best, area, new WholeTarget(into, area.Y), progress, cancellation);
+        }
+
+        (Picture picture, RenderStatistics statistics) = Render(scene, options, LaneWidth.Best, progress, cancellation);
+        picture.Pixels.CopyTo(into.Pixels);
+        return statistics;
+    }
+
     /// <summary>Renders with a given vector width: the picture is the same, the time is not.</summary>
     internal static RenderResult Render(Scene scene, RenderOptions options, int laneWidth, IProgress<double>? progress, CancellationToken cancellation)
     {

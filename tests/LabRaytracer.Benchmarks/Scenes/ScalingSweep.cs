@@ -32,7 +32,7 @@ internal sealed class ScalingSweep(BenchPlan plan, Measures measures, Action<str
         RenderOptions options = SceneRun.Options(plan, Environment.ProcessorCount);
         for (int round = 0; round < plan.Rounds; round++)
         {
-            RenderStatistics statistics = SceneRun.RenderWarm(scene, options).Statistics;
+            RenderStatistics statistics = SceneRun.RenderWarm(scene, options);
             measures.Add(name, SceneRun.Ours, "double, all threads", "picture", statistics.RenderSeconds);
             measures.Add(name, SceneRun.Ours, "double, all threads", "prepare", statistics.PrepareSeconds);
         }
