@@ -28,6 +28,9 @@ internal sealed class PixelWarp
     /// <summary>Whether samples may count negatively.</summary>
     public bool IsSigned => _inverse is not null;
 
+    /// <summary>Whether samples stay where they are.</summary>
+    public bool IsNone => _filter == PixelFilter.Box;
+
     /// <summary>Integral of the filter's absolute value over its integral, both axes: 1 for filters that are nowhere negative.</summary>
     public double Gain { get; } = 1;
 
@@ -43,7 +46,7 @@ internal sealed class PixelWarp
     /// <param name="even">Evenly distributed, [0, 1).</param>
     public double Place(double even)
     {
-        if (_filter == PixelFilter.Box)
+        if (IsNone)
         {
             return even;
         }

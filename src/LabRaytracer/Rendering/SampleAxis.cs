@@ -51,6 +51,26 @@ internal readonly struct SampleAxis
         }
     }
 
+    /// <summary>The places in many pixels, as by <see cref="At"/>.</summary>
+    /// <param name="pixels">Pixels relative to the first one: column in the upper half, row in the lower one.</param>
+    /// <param name="first">The first pixel, likewise.</param>
+    /// <param name="places">Receives the places.</param>
+    /// <param name="count">How many; a multiple of 4.</param>
+    public unsafe void Fill(ulong* pixels, ulong first, double* places, int count)
+    {
+        if (_pattern == SamplePattern.Jittered)
+        {
+            LaneRandom.Jitter(pixels, first, _inside, _cell, _side, places, count);
+            return;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            ulong pixel = pixels[i] + first;
+            places[i] = At((int)(pixel >> 32), (int)(uint)pixel);
+        }
+    }
+
     /// <summary>Evenly distributed, [0, 1).</summary>
     private double Fraction(ulong pixel) => (SampleOffsets.Mix(_inside ^ pixel) >> 11) * (1.0 / (1UL << 53));
 

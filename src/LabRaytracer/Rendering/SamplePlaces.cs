@@ -31,4 +31,14 @@ internal sealed class SamplePlaces(RenderOptions options, SamplePattern pattern)
 
     /// <summary>Its place in a pixel, as by <see cref="At"/>.</summary>
     public double Place(in SampleAxis axis, int pixelX, int pixelY) => _warp.Place(axis.At(pixelX, pixelY));
+
+    /// <summary>Its places in many pixels: <see cref="SampleAxis.Fill"/>, as the filter asks.</summary>
+    public unsafe void Fill(in SampleAxis axis, ulong* pixels, ulong first, double* places, int count)
+    {
+        axis.Fill(pixels, first, places, count);
+        for (int i = 0; i < count && !_warp.IsNone; i++)
+        {
+            places[i] = _warp.Place(places[i]);
+        }
+    }
 }

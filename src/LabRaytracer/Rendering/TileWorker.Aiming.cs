@@ -34,16 +34,34 @@ internal sealed unsafe partial class TileWorker<R, F, I>
         else
         {
             _grid = null;
-            SampleAxis across = _places.Axis(sample, 0), down = _places.Axis(sample, 1);
-            for (int i = 0; i < Pixels; i++)
-            {
-                (int px, int py) = Place(i);
-                R.Put(_sampleX, i, x + px + _places.Place(across, x + px, y + py));
-                R.Put(_sampleY, i, y + py + _places.Place(down, x + px, y + py));
-            }
+            ulong first = ((ulong)(uint)x << 32) | (uint)y;
+            _places.Fill(_places.Axis(sample, 0), _pixelNumbers, first, _samplePlaces, Pixels);
+            Shift(_pixelX, x, _samplePlaces, _sampleX);
+            _places.Fill(_places.Axis(sample, 1), _pixelNumbers, first, _samplePlaces, Pixels);
+            Shift(_pixelY, y, _samplePlaces, _sampleY);
         }
 
         AimSamples(x, y);
+    }
+
+    /// <summary>From places in pixels to places in the picture, by sums of doubles.</summary>
+    private static void Shift(R* pixels, int start, double* places, R* samples)
+    {
+        if (R.IsSingle)
+        {
+            for (int i = 0; i < Pixels; i++)
+            {
+                R.Put(samples, i, R.Take(pixels, i) + start + places[i]);
+            }
+
+            return;
+        }
+
+        R left = R.Of(start);
+        for (int packet = 0; packet < Pixels / R.Width; packet++)
+        {
+            samples[packet] = pixels[packet] + left + ((R*)places)[packet];
+        }
     }
 
     /// <summary>Puts the samples at the same place in all pixels. Pixels are counted before that is added, so that a sample's place does not depend on the tile, to the last bit.</summary>

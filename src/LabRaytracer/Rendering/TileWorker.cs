@@ -22,6 +22,8 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
     private readonly R* _pixelY;
     private readonly R* _sampleX;
     private readonly R* _sampleY;
+    private readonly ulong* _pixelNumbers;
+    private readonly double* _samplePlaces;
     private readonly TileColors<F> _colors;
     private readonly SeamMarks? _seams;
     private readonly PixelSampling? _sampling;
@@ -47,6 +49,8 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
         _pixelY = _memory.Column<R>(Pixels, R.Width);
         _sampleX = _memory.Column<R>(Pixels, R.Width);
         _sampleY = _memory.Column<R>(Pixels, R.Width);
+        _pixelNumbers = _memory.Column<ulong>(Pixels, 1);
+        _samplePlaces = _memory.Column<double>(Pixels, 1);
         _colors = new TileColors<F>(_memory, Pixels);
         _places = new SamplePlaces(options);
         if (ViewStage.IsColor(options.View) && (options.HasBudget || _places.Warp.IsSigned))
@@ -70,6 +74,7 @@ internal sealed unsafe partial class TileWorker<R, F, I> : IDisposable
             (int x, int y) = Place(i);
             R.Put(_pixelX, i, x);
             R.Put(_pixelY, i, y);
+            _pixelNumbers[i] = ((ulong)(uint)x << 32) | (uint)y;
         }
 
         FindRectangles();
