@@ -64,6 +64,12 @@ internal readonly struct SampleAxis
             return;
         }
 
+        if (_pattern == SamplePattern.Sobol)
+        {
+            LaneRandom.Scramble(pixels, first, _key, _reversedPoint, places, count);
+            return;
+        }
+
         for (int i = 0; i < count; i++)
         {
             ulong pixel = pixels[i] + first;

@@ -26,6 +26,41 @@ internal static unsafe class LaneRandom
         }
     }
 
+    /// <summary>A point of Sobol's sequence, scrambled differently for each place: the hash of Burley, "Practical Hash-based Owen Scrambling", 2020.</summary>
+    /// <param name="numbers">A number for each place.</param>
+    /// <param name="first">Added to all numbers.</param>
+    /// <param name="key">What the sums are combined with; the upper 32 bits of the finaliser of SplitMix64 choose the scrambling.</param>
+    /// <param name="reversed">The point as a fraction of 32 bits, in reverse.</param>
+    /// <param name="places">Receives the places, [0, 1).</param>
+    /// <param name="count">How many; a multiple of 4.</param>
+    public static void Scramble(ulong* numbers, ulong first, ulong key, uint reversed, double* places, int count)
+    {
+        Vector256<ulong> start = Vector256.Create(first), keys = Vector256.Create(key);
+        for (int i = 0; i < count; i += Width)
+        {
+            // Of each pair of numbers the lower one counts.
+            Vector256<uint> value = (Mix((Vector256.Load(numbers + i) + start) ^ keys) >>> 32).AsUInt32() + Vector256.Create(reversed);
+            value ^= value * Vector256.Create(0x6c50b47cu);
+            value ^= value * Vector256.Create(0xb82f1e52u);
+            value ^= value * Vector256.Create(0xc7afe638u);
+            value ^= value * Vector256.Create(0x8d22f6e6u);
+            (ToDouble(Reverse(value).AsUInt64() & Vector256.Create((ulong)uint.MaxValue)) * (1.0 / (1L << 32))).Store(places + i);
+        }
+    }
+
+    private static Vector256<uint> Reverse(Vector256<uint> number)
+    {
+        number = (number << 16) | (number >>> 16);
+        number = Exchange(number, 8, 0x00FF00FF);
+        number = Exchange(number, 4, 0x0F0F0F0F);
+        number = Exchange(number, 2, 0x33333333);
+        return Exchange(number, 1, 0x55555555);
+    }
+
+    /// <summary>Neighbouring groups of bits in each other's place.</summary>
+    private static Vector256<uint> Exchange(Vector256<uint> number, int bits, uint lower) =>
+        ((number & Vector256.Create(lower)) << bits) | ((number >>> bits) & Vector256.Create(lower));
+
     private static Vector256<ulong> Mix(Vector256<ulong> z)
     {
         z += Vector256.Create(0x9E3779B97F4A7C15);
