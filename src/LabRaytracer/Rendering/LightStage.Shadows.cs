@@ -22,7 +22,7 @@ internal sealed unsafe partial class LightStage<R, F, I>
         }
 
         // What looks at every ray on its way sees all of them at once.
-        bool isMatte = MatteLight.IsMatte(material) && scene.IsSkipping && tally is null && alpha is null;
+        bool isByBundle = scene.IsSkipping && tally is null && alpha is null, isMatte = isByBundle && MatteLight.IsMatte(material);
         int common = rays.CommonSource, aimed = 0;
         rays.Count = packets * R.Width;
         rays.Bounds = scene.IsSkipping ? _bounds.Bundles : null;
@@ -31,18 +31,22 @@ internal sealed unsafe partial class LightStage<R, F, I>
         for (int first = 0; first < packets; first += Bundle)
         {
             int bundle = first / Bundle, end = Math.Min(first + Bundle, packets);
-            int found = isMatte ? FindBlockers(lamp, bundle, blockers) : -1;
-            if (found == 0)
+            int found = isByBundle ? FindBlockers(lamp, bundle, blockers) : -1;
+            if (isMatte && found == 0)
             {
                 aimed += OpenLight.Add(lamp, material, buffers, first, end, count);
                 continue;
             }
 
             aimed += PointShadows.Aim(lamp, buffers, first, end, count, !scene.IsSkipping, out _bounds.Bundles[bundle]);
-            if (isMatte)
+            if (isByBundle && found != 0)
             {
                 rays.CommonSource = _hits.Source(bundle);
                 Block(first, end, blockers, found);
+            }
+
+            if (isMatte)
+            {
                 MatteLight.Add(material, buffers, first, end, isKnown: true);
             }
         }
@@ -51,9 +55,13 @@ internal sealed unsafe partial class LightStage<R, F, I>
         counters.ShadowRays += aimed;
         counters.ShadowRaysSkipped += count - aimed;
         tally?.Add(rays, order, count);
-        if (!isMatte)
+        if (!isByBundle)
         {
             Block(lamp, 0, packets);
+        }
+
+        if (!isMatte)
+        {
             Reflect(material, packets, count, knowsCosines: true);
         }
     }
