@@ -21,8 +21,7 @@ internal readonly unsafe struct ApexLook
     public ApexLook(in RayBounds bounds, Point3D center, double radius)
     {
         Vector3D away = center - bounds.Apex;
-        double size = Largest(bounds.LeastOrigin.X, bounds.LargestOrigin.X) + Largest(bounds.LeastOrigin.Y, bounds.LargestOrigin.Y) + Largest(bounds.LeastOrigin.Z, bounds.LargestOrigin.Z)
-            + Sum(bounds.Apex) + Sum(center);
+        double size = bounds.Size + RayBounds.Sum(center);
         double grown = radius + (128 * Unit * size), square = away.LengthSquared - (grown * grown);
         _toCenter = away * bounds.Sense;
         _tangent = square > 0 ? Math.Sqrt(square) - (32 * Unit * away.Length) : double.NegativeInfinity;
@@ -47,8 +46,4 @@ internal readonly unsafe struct ApexLook
 
         return count;
     }
-
-    private static double Largest(double least, double largest) => Math.Max(Math.Abs(least), Math.Abs(largest));
-
-    private static double Sum(Point3D point) => Math.Abs(point.X) + Math.Abs(point.Y) + Math.Abs(point.Z);
 }

@@ -111,9 +111,14 @@ internal sealed class SceneBvh<R, F, I> : IDisposable
         return listed < 0 ? -1 : count;
     }
 
-    /// <summary>Turns off the rays in groups of lanes [first, end) that any of the objects from <see cref="FindBlockers"/> blocks before their limit.</summary>
+    /// <summary>Turns off the rays in groups of lanes [first, end) that any of the objects from <see cref="FindBlockers"/> blocks before their limit; any object at all where those were too many.</summary>
     public unsafe void Block(RayBatch<R, F, I> rays, int first, int end, BundleCandidate* found, int count)
     {
+        if (count < 0)
+        {
+            Block(rays, first, end);
+        }
+
         for (int k = 0; k < count; k++)
         {
             int place = found[k].Place;

@@ -57,11 +57,12 @@ internal readonly record struct RayBounds(
     }
 
     /// <summary>Sum of the largest coordinates of origins and apex, in magnitude.</summary>
-    private double Size => Largest(LeastOrigin.X, LargestOrigin.X) + Largest(LeastOrigin.Y, LargestOrigin.Y) + Largest(LeastOrigin.Z, LargestOrigin.Z) + Sum(Apex);
+    public double Size => Largest(LeastOrigin.X, LargestOrigin.X) + Largest(LeastOrigin.Y, LargestOrigin.Y) + Largest(LeastOrigin.Z, LargestOrigin.Z) + Sum(Apex);
 
     private static double Spread(Vector3D normal, Vector3D half) => (Math.Abs(normal.X) * half.X) + (Math.Abs(normal.Y) * half.Y) + (Math.Abs(normal.Z) * half.Z);
 
     private static double Largest(double least, double largest) => Math.Max(Math.Abs(least), Math.Abs(largest));
 
-    private static double Sum(Point3D point) => Math.Abs(point.X) + Math.Abs(point.Y) + Math.Abs(point.Z);
+    /// <summary>Sum of a point's coordinates, in magnitude.</summary>
+    public static double Sum(Point3D point) => Math.Abs(point.X) + Math.Abs(point.Y) + Math.Abs(point.Z);
 }

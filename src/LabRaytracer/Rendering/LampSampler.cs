@@ -40,13 +40,6 @@ internal sealed unsafe class LampSampler<R, F, I>(
     public void Sample(int lamp, int sample, int count, int packets)
     {
         Light light = scene.Lights[lamp];
-        if (light is PointLight point)
-        {
-            // The usual lamp, called directly: a virtual generic method is looked up at each call.
-            point.Shine(buffers.Surfaces, buffers.Light, packets);
-            return;
-        }
-
         if (light is IWideLight wide)
         {
             wide.Sample(buffers.Surfaces, buffers.Light, packets);

@@ -42,7 +42,7 @@ internal sealed unsafe partial class LightStage<R, F, I>
             if (isByBundle && found != 0)
             {
                 rays.CommonSource = _hits.Source(bundle);
-                Block(first, end, blockers, found);
+                scene.Block(rays, first, end, blockers, found);
             }
 
             if (isMatte)
@@ -69,19 +69,6 @@ internal sealed unsafe partial class LightStage<R, F, I>
     /// <summary>Lists what may be between a lamp and the hits of a bundle; -1 where that is much.</summary>
     private int FindBlockers(PointLight lamp, int bundle, BundleCandidate* found) =>
         lamp.CastsShadows ? scene.FindBlockers(_hits.To(bundle, lamp.Position), _hits.Source(bundle), found) : 0;
-
-    /// <summary>Turns off the shadow rays that something is in the way of.</summary>
-    private void Block(int first, int end, BundleCandidate* blockers, int found)
-    {
-        if (found < 0)
-        {
-            scene.Block(buffers.ShadowRays, first, end);
-        }
-        else
-        {
-            scene.Block(buffers.ShadowRays, first, end, blockers, found);
-        }
-    }
 
     /// <summary>Turns off, or dims, the shadow rays that something is in the way of.</summary>
     private void Block(Light lamp, int first, int end)

@@ -24,13 +24,10 @@ internal sealed class SamplePlaces(RenderOptions options, SamplePattern pattern)
     /// <param name="pixelY">Row in the whole picture.</param>
     /// <param name="sample">Number of the sample.</param>
     /// <param name="axis">0 for x, 1 for y.</param>
-    public double At(int pixelX, int pixelY, int sample, int axis) => Place(Axis(sample, axis), pixelX, pixelY);
+    public double At(int pixelX, int pixelY, int sample, int axis) => _warp.Place(Axis(sample, axis).At(pixelX, pixelY));
 
     /// <summary>One sample along one axis, for many pixels.</summary>
     public SampleAxis Axis(int sample, int axis) => new(options, pattern, sample, axis);
-
-    /// <summary>Its place in a pixel, as by <see cref="At"/>.</summary>
-    public double Place(in SampleAxis axis, int pixelX, int pixelY) => _warp.Place(axis.At(pixelX, pixelY));
 
     /// <summary>Its places in many pixels: <see cref="SampleAxis.Fill"/>, as the filter asks.</summary>
     public unsafe void Fill(in SampleAxis axis, ulong* pixels, ulong first, double* places, int count)

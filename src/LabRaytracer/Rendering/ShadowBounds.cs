@@ -16,24 +16,18 @@ internal sealed unsafe class ShadowBounds<R, F, I>(RayBatch<R, F, I> rays)
     /// <summary>Bounds of each bundle.</summary>
     public RayBounds[] Bundles => _bounds;
 
-    /// <summary>Finds bounds; null if the lamp is not a point.</summary>
+    /// <summary>Finds bounds of rays to a spot light; null for other lamps. Those of a point light are found where its rays are made (<see cref="PointShadows"/>).</summary>
     /// <param name="light">The lamp.</param>
     public RayBounds[]? Find(Light light)
     {
-        Point3D? place = light switch
-        {
-            PointLight point => point.Position,
-            SpotLight spot => spot.Position,
-            _ => null,
-        };
-        if (place is not { } end)
+        if (light is not SpotLight spot)
         {
             return null;
         }
 
         for (int first = 0; first < rays.Packets; first += Bundle)
         {
-            _bounds[first / Bundle] = Find(end, first, Math.Min(first + Bundle, rays.Packets));
+            _bounds[first / Bundle] = Find(spot.Position, first, Math.Min(first + Bundle, rays.Packets));
         }
 
         return _bounds;
