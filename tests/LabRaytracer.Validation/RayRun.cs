@@ -61,7 +61,7 @@ internal sealed unsafe class RayRun<R, F, I> : IDisposable
     /// <param name="precision">Double, or exact in double lanes.</param>
     public void Surface(Precision precision = Precision.Double)
     {
-        SurfaceNeeds needs = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates;
+        SurfaceNeeds needs = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates | SurfaceNeeds.Parameter;
         int[] hit = [.. Enumerable.Range(0, _rays.Count).Where(IsHit)];
         for (int i = 0; i < hit.Length + 16; i++)
         {

@@ -65,47 +65,21 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
         R radius = shape[Radius];
         R discriminant = HalfChord(centred, radius, out R step, out R half);
-        R isRough = IsRough(centred, radius, discriminant, step, half, out R isRoughT);
-        isRoughT &= ~isRough;
+        R near = centred.K + (step - half), far = centred.K + (step + half);
+        R isHardT = IsHardT(centred, radius, near, far, half, IsRough(centred, radius, discriminant, near, far, half), out R isRoughT);
         if (R.Any(isRoughT))
         {
             CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
             t = R.Select(isRoughT, chord.T, t);
         }
 
-        if (R.Any(isRough))
+        if (R.Any(isHardT))
         {
             PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K);
-            t = R.Select(isRough, precise.T, t);
+            t = R.Select(isHardT, precise.T, t);
         }
 
         return t;
-    }
-
-    /// <remarks>
-    /// With u = 2^-24 and |.| the sum of absolute coordinates, the rounded difference o - c is wrong by at most 2u(|o| + |c|) in length, and the nearest point l,
-    /// whose steps are no longer than that difference, by at most 8u(|o| + |c|). A sphere grown by twice that, e = 16u(|o| + |c|), and 16u of its square
-    /// for the squares, misses no ray that meets the sphere.
-    /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static F MayHit<F, P>(in P shape, in RayLanes<F> ray)
-        where F : unmanaged, IReal<F>
-        where P : struct, IParameters<F>
-    {
-        F cx = shape[CenterX], cy = shape[CenterY], cz = shape[CenterZ];
-        F x = ray.OriginX - cx, y = ray.OriginY - cy, z = ray.OriginZ - cz;
-        F size = F.Abs(ray.OriginX) + F.Abs(ray.OriginY) + F.Abs(ray.OriginZ) + F.Abs(cx) + F.Abs(cy) + F.Abs(cz);
-
-        // 1e-18 more, so that squares of tiny numbers do not underflow.
-        F radius = F.Fma(size, F.Of(16.0 / (1 << 24)), shape[Radius]) + F.Of(1e-18);
-        F square = radius * radius * F.Of(1 + (16.0 / (1 << 24)));
-        F lengthSquared = Lane.Dot(ray.DirectionX, ray.DirectionY, ray.DirectionZ, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
-        F along = Lane.Dot(x, y, z, ray.DirectionX, ray.DirectionY, ray.DirectionZ);
-        F k = -along / lengthSquared;
-        F lx = F.Fma(k, ray.DirectionX, x), ly = F.Fma(k, ray.DirectionY, y), lz = F.Fma(k, ray.DirectionZ, z);
-        F passesBy = F.Less(square, Lane.Dot(lx, ly, lz, lx, ly, lz));
-        F isBehind = F.Less(F.Zero, along) & F.Less(square * lengthSquared, along * along);
-        return ~(passesBy | isBehind);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -113,7 +87,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        Reach(shape, ray, ref t, out R x, out R y, out R z);
+        Reach(shape, ray, SurfaceNeeds.Parameter, ref t, out R x, out R y, out R z);
         Place(shape, x, y, z, out s);
     }
 
@@ -123,9 +97,14 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where P : struct, IParameters<R>
     {
         CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
-        Approach(centred, shape[Radius], t, out R x, out R y, out R z, out R isRough, out R isRoughT);
+        R isRough = Approach(centred, shape[Radius], t, out R x, out R y, out R z, out R near, out R far, out R half);
+        if ((needs & SurfaceNeeds.Parameter) != 0)
+        {
+            isRough = IsHardT(centred, shape[Radius], near, far, half, isRough, out R isRoughT) | isRoughT;
+        }
+
         Store(shape, x, y, z, to, packet, needs);
-        return R.Bits(isRough | isRoughT);
+        return R.Bits(isRough);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -133,7 +112,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
-        Reach(shape, ray, ref t, out R x, out R y, out R z);
+        Reach(shape, ray, needs, ref t, out R x, out R y, out R z);
         Store(shape, x, y, z, to, packet, needs);
     }
 
@@ -178,45 +157,50 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
     /// It is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
     /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
     /// Grazing hits, where half the chord has lost digits, are computed with twice the digits: t within 2.5 units of 2^-53, the point within 3 such units of the radius.
+    /// So is t of rays that start near to their hit, if somebody reads it; points do not need it.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Reach<R, P>(in P shape, in RayLanes<R> ray, ref R t, out R x, out R y, out R z)
+    private static void Reach<R, P>(in P shape, in RayLanes<R> ray, SurfaceNeeds needs, ref R t, out R x, out R y, out R z)
         where R : unmanaged, IReal<R>
         where P : struct, IParameters<R>
     {
         R radius = shape[Radius];
         CentredRay<R>.Of(ray, shape, CenterX, out CentredRay<R> centred);
-        Approach(centred, radius, t, out x, out y, out z, out R isRough, out R isRoughT);
-        isRoughT &= ~isRough;
-        if (R.Any(isRoughT))
+        R isRough = Approach(centred, radius, t, out x, out y, out z, out R near, out R far, out R half), isHardT = isRough;
+        if ((needs & SurfaceNeeds.Parameter) != 0)
         {
-            CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
-            t = R.Select(isRoughT, chord.T, t);
+            isHardT = IsHardT(centred, radius, near, far, half, isRough, out R isRoughT);
+            if (R.Any(isRoughT))
+            {
+                CompensatedChord<R> chord = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K, centred.InverseLengthSquared);
+                t = R.Select(isRoughT, chord.T, t);
+            }
         }
 
-        if (R.Any(isRough))
+        if (R.Any(isHardT))
         {
             PreciseSphereHit<R> precise = new(ray, shape[CenterX], shape[CenterY], shape[CenterZ], radius, centred.K);
-            t = R.Select(isRough, precise.T, t);
+            t = R.Select(isHardT, precise.T, t);
             x = R.Select(isRough, precise.X, x);
             y = R.Select(isRough, precise.Y, y);
             z = R.Select(isRough, precise.Z, z);
         }
     }
 
-    /// <summary>The point without the hard digits, and where those are missing.</summary>
+    /// <summary>The point without the hard digits, and both ends of its chord; returns where those digits are missing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Approach<R>(in CentredRay<R> centred, R radius, R t, out R x, out R y, out R z, out R isRough, out R isRoughT)
+    private static R Approach<R>(in CentredRay<R> centred, R radius, R t, out R x, out R y, out R z, out R near, out R far, out R half)
         where R : unmanaged, IReal<R>
     {
-        R discriminant = HalfChord(centred, radius, out R step, out R half);
-        R nearIsAhead = R.Less(R.Zero, centred.K + (step - half));
-        R isNear = nearIsAhead & R.LessOrEqual(t, centred.K + step);
+        R discriminant = HalfChord(centred, radius, out R step, out half);
+        near = centred.K + (step - half);
+        far = centred.K + (step + half);
+        R isNear = R.Less(R.Zero, near) & R.LessOrEqual(t, centred.K + step);
         R along = step + R.Select(isNear, -half, half);
         x = R.Fma(along, centred.DirectionX, centred.X);
         y = R.Fma(along, centred.DirectionY, centred.Y);
         z = R.Fma(along, centred.DirectionZ, centred.Z);
-        isRough = IsRough(centred, radius, discriminant, step, half, out isRoughT);
+        return IsRough(centred, radius, discriminant, near, far, half);
     }
 
     /// <remarks>With twice the digits; where those do not decide how t is rounded, by exact arithmetic.</remarks>

@@ -18,4 +18,7 @@ internal enum SurfaceNeeds
 
     /// <summary>Not a column: t and the point are computed as accurately as the shape can (<see cref="IShapeKernel.Sharpen"/>). Double lanes only.</summary>
     Sharp = 8,
+
+    /// <summary>Not a column: t as accurate as is promised (<see cref="IShapeKernel.Refine"/>). Else it may stay as rough as it was found; surface points do not depend on it.</summary>
+    Parameter = 16,
 }

@@ -32,7 +32,7 @@ internal sealed unsafe partial class BatchTracer<R, F, I>
         Find(rays);
         for (int key = 0; key < _scene.Keys.Count; key++)
         {
-            int* order = Surface(rays, key, SurfaceNeeds.None, out int count);
+            int* order = Surface(rays, key, SurfaceNeeds.Parameter, out int count);
             SurfaceBatch<R, F, I> s = _buffers.Surfaces;
             for (int i = 0; i < count; i++)
             {

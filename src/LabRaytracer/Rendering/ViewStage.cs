@@ -15,7 +15,7 @@ internal static unsafe class ViewStage
     /// <summary>Columns of surface points that a view reads.</summary>
     public static SurfaceNeeds Needs(RenderView view) => view == RenderView.Uv || FilterView.Is(view)
         ? MappingNeeds
-        : SurfaceNeeds.None;
+        : view == RenderView.Depth ? SurfaceNeeds.Parameter : SurfaceNeeds.None;
 
     /// <summary>Writes the view's colours as radiance.</summary>
     /// <param name="view">The view.</param>

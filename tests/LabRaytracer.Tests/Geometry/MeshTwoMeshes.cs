@@ -33,7 +33,7 @@ internal static unsafe class MeshTwoMeshes
         }
 
         SurfaceBatch<R, F, I> surfaces = new(memory, rays.Length + R.Width);
-        SurfaceNeeds all = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates;
+        SurfaceNeeds all = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates | SurfaceNeeds.Parameter;
         group.Surface(run.Rays, run.Hits, order, hitRays.Length, members, surfaces, all);
         for (int i = 0; i < hitRays.Length; i++)
         {

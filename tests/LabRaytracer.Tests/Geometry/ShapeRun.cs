@@ -70,8 +70,8 @@ internal sealed unsafe class ShapeRun<R, F, I> : IDisposable
         }
     }
 
-    /// <summary>Surface points of all rays that hit; returns the numbers of these rays.</summary>
-    public int[] Surface()
+    /// <summary>Surface points of all rays that hit, and t as accurate as is promised unless nobody asks for it; returns the numbers of these rays.</summary>
+    public int[] Surface(bool asksForT = true)
     {
         int[] hit = [.. Enumerable.Range(0, Rays.Count).Where(IsHit)];
         for (int i = 0; i < hit.Length + 16; i++)
@@ -80,7 +80,7 @@ internal sealed unsafe class ShapeRun<R, F, I> : IDisposable
         }
 
         SurfaceNeeds all = SurfaceNeeds.LocalPoint | SurfaceNeeds.LocalNormal | SurfaceNeeds.SurfaceCoordinates;
-        _group.Surface(Rays, Hits, _order, hit.Length, _memberOfObject, Surfaces, all);
+        _group.Surface(Rays, Hits, _order, hit.Length, _memberOfObject, Surfaces, asksForT ? all | SurfaceNeeds.Parameter : all);
         return hit;
     }
 
