@@ -22,15 +22,18 @@ internal static class SquareSequence
 
     /// <summary>Second coordinate of a point, in units of 2^-32: the matrix of the primitive polynomial x + 1, Pascal's triangle modulo 2.</summary>
     /// <param name="number">Number of the point.</param>
+    /// <remarks>
+    /// With the digits of the first coordinate as coefficients of a polynomial p(z), the second one's are those of p(1 + z) modulo 2. As (1 + z)^s = 1 + z^s there for
+    /// every power of two s, halves p = a + z^s b become (a + b) + z^s b, first of 32 digits, then of 16 and so on.
+    /// </remarks>
     public static uint Second(uint number)
     {
-        uint point = 0;
-        for (uint column = 1u << 31; number != 0; number >>= 1, column ^= column >> 1)
-        {
-            point ^= (number & 1) != 0 ? column : 0;
-        }
-
-        return point;
+        uint point = First(number);
+        point ^= point << 16;
+        point ^= (point & 0x00FF00FF) << 8;
+        point ^= (point & 0x0F0F0F0F) << 4;
+        point ^= (point & 0x33333333) << 2;
+        return point ^ ((point & 0x55555555) << 1);
     }
 
     /// <summary>A 32-bit fraction as a number in (0, 1): the middle of its cell of width 2^-23, exact in both precisions.</summary>

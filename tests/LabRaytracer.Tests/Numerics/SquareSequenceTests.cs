@@ -16,6 +16,27 @@ public sealed class SquareSequenceTests
     }
 
     [Theory]
+    [InlineData(1u)]
+    [InlineData(0x80000000u)]
+    [InlineData(0xFFFFFFFFu)]
+    [InlineData(0x9E3779B9u)]
+    [InlineData(123456789u)]
+    public void Second_AnyNumber_SumOfTheColumnsOfPascalsTriangle(uint number)
+    {
+        // Column k of the triangle modulo 2: binomial(k, digit) is odd where the digit's bits are all bits of k, too (Lucas).
+        uint expected = 0;
+        for (int k = 0; k < 32; k++)
+        {
+            for (int digit = 0; digit < 32; digit++)
+            {
+                expected ^= (number >> k & 1) != 0 && (digit & ~k) == 0 ? 1u << (31 - digit) : 0;
+            }
+        }
+
+        Assert.Equal(expected, SquareSequence.Second(number));
+    }
+
+    [Theory]
     [InlineData(0, 0u, 0u, 0u)]
     [InlineData(4, 0u, 0u, 0u)]
     [InlineData(6, 64u, 0u, 0u)]
