@@ -12,6 +12,11 @@ internal interface IPencilGoal<R, F, I>
     /// <summary>Whether near triangles should come first.</summary>
     static abstract bool IsOrdered { get; }
 
+    /// <summary>Mask of rays that leave a triangle, and cannot hit it.</summary>
+    /// <param name="lanes">The lanes.</param>
+    /// <param name="number">Number of the triangle in the mesh.</param>
+    static abstract F Leaves(in PencilLanes<R, F, I> lanes, int number);
+
     /// <summary>Sets the limits of lanes along z, before the first triangle.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="pencil">Their pencil.</param>

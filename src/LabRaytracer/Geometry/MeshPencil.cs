@@ -88,13 +88,24 @@ internal static unsafe class MeshPencil
         where P : struct, IMeshPositions
         where TGoal : struct, IPencilGoal<R, F, I>
     {
-        float* columns = stackalloc float[PencilTriangles.Numbers * PencilTriangles.Most];
+        byte* triangleRoom = stackalloc byte[((PencilTriangles.Numbers + PencilTriangles.VertexNumbers) * PencilTriangles.Room * sizeof(float)) + CacheLine.Bytes];
+        float* columns = (float*)CacheLine.Start(triangleRoom), vertices = columns + (PencilTriangles.Numbers * PencilTriangles.Room);
+        Unsafe.SkipInit(out PencilQueue queue);
+        queue.Clear();
         byte* room = stackalloc byte[PencilParts<F, I>.Bytes + CacheLine.Bytes];
         PencilParts<F, I> parts = new(pencil, tree.Frame, slopes, count, (float*)CacheLine.Start(room));
-        PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, columns, parts, goal);
+        PencilLeaf<R, F, I, P, TGoal> leaf = new(pencil, lanes, count, tree.Triangles, positions, vertices, columns, &queue, parts, goal);
         float limit = leaf.Start();
         PencilBoxes boxes = new(pencil, tree.Frame);
-        BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);
+        if (TGoal.IsOrdered)
+        {
+            BvhWideTraversal.Run(tree.Boxes, ref boxes, limit, ref leaf);
+        }
+        else
+        {
+            PencilTraversal.Run(tree.Boxes, boxes, limit, ref leaf);
+        }
+
         leaf.End();
     }
 }

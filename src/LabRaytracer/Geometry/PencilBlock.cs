@@ -21,6 +21,9 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
 
     public static bool IsOrdered => false;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static F Leaves(in PencilLanes<R, F, I> lanes, int number) => F.MaskFromInt32(I.Equal(lanes.Triangle, I.Of(number)));
+
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
         lanes.Triangle = rays.SourceIn(first + packet, number);
@@ -35,7 +38,7 @@ internal readonly unsafe struct PencilBlock<R, F, I>(MeshData mesh, MeshTriangle
     public bool Take(ref PencilLanes<R, F, I> lanes, int packet, in PencilHits<F> found, int place)
     {
         F possible = found.PossibleBefore(lanes.Far);
-        possible &= ~F.MaskFromInt32(I.Equal(lanes.Triangle, I.Of(triangles[place].Number)));
+        possible &= ~Leaves(lanes, triangles[place].Number);
         if (!F.Any(possible))
         {
             return false;

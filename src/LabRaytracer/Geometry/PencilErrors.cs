@@ -13,7 +13,9 @@ namespace LabRaytracer;
 /// For such hits, |pz - oz| is at most d, or the way from origins to the triangle.</para>
 /// <para>Its distance t is a mean of the vertices' z, with the edge functions as weights, and 16 roundings: between the least and the largest z, but for 16 u times the
 /// largest. The volume, which is that mean times the sum of the edge functions, is off by the largest z times the sum of their errors.</para>
-/// <para>Double lanes: a and c are so far below the rounding of edge functions to float that one number, <see cref="RayPencil.Slack"/>, serves all triangles (<see cref="PencilTriangles"/>).</para>
+/// <para>Vertices of prepared triangles (<see cref="PencilTriangles"/>) are rounded to float once they are sheared so that the pencil's middle is z: seen by a ray whose slopes are at
+/// most sx and sy, by at most u (|x| + sx |z|) along x and u (|y| + sy |z|) along y, which is added to a, sheared back.</para>
+/// <para>Double lanes: without those roundings, a and c but for the apex are at most 2^-46 of the pencil's size, far below <see cref="Floor"/>, which is always part of a.</para>
 /// </remarks>
 internal static class PencilErrors
 {
@@ -51,7 +53,6 @@ internal static class PencilErrors
         }
 
         pencil.Beside = way == 0 ? 0 : deviation + (size * 1.7763568394002505e-15);
-        pencil.Slack = size * ((size * 1.1368683772161603e-13) + (256 * pencil.Beside));
         pencil.TestError = (size / (1L << 47)) + pencil.Beside;
         pencil.LimitError = size * 1e-9;
         pencil.Nearest = size / (1 << 20);

@@ -139,6 +139,7 @@ internal static unsafe class PencilFinder
         }
 
         (pencil.MiddleX, pencil.MiddleY) = ((float)all.MiddleX, (float)all.MiddleY);
+        pencil.SlopeMargin = pencil.TestError * (1 + Math.Abs(pencil.Shear));
         pencil.SlopeError = 1.2e-7 * (1 + Math.Abs(pencil.Shear));
         (pencil.SpreadX, pencil.SpreadY) = (all.SpreadX + pencil.SlopeError, all.SpreadY + pencil.SlopeError);
         for (int packet = 0; packet < count; packet++)

@@ -21,6 +21,9 @@ internal readonly unsafe struct PencilNearest<R, F, I>(MeshData mesh, MeshTriang
 
     public static bool IsOrdered => true;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static F Leaves(in PencilLanes<R, F, I> lanes, int number) => F.Zero;
+
     public void Start(ref PencilLanes<R, F, I> lanes, in RayPencil pencil, int packet)
     {
         lanes.Far = F.Of(8 * pencil.Size);

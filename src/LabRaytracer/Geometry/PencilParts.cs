@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
@@ -5,9 +6,10 @@ namespace LabRaytracer;
 /// <summary>Parts of a pencil, each a group of lanes: which of them may meet a box, and which of its triangles, many at once.</summary>
 /// <remarks>
 /// <para>A part's slopes are a rectangle. A box is tested as by <see cref="PencilBoxes"/>, with the same margin and roundings, in lanes that are parts: for both planes along z, as slopes of parts differ in sign.</para>
-/// <para>An edge function is largest in one of the rectangle's corners. Lanes are pairs, triangle k mod 4 with part k / 4.</para>
-/// <para>What is found is below the true largest value by at most 7 u times what an edge function adds up (<see cref="PencilTriangles"/>): roundings of the coefficients, of middle
-/// and differences, and four more. Edge functions are raised by at least 16 u times that, beside the slack of the exact test.</para>
+/// <para>An edge function is largest in one of the rectangle's corners. Lanes are pairs, triangle k mod 4 with part k / 4. The rectangle around the triangle is tested, too: beside its
+/// acute corners, a triangle the size of a part's pixels has much room where no edge function alone is negative.</para>
+/// <para>What is found is below the true largest value by at most 10 u times what an edge function adds up (<see cref="PencilTriangles"/>): three roundings of the coefficients and one of
+/// what raises them, of middle and differences, and four more. Edge functions are raised by at least 16 u times that, beside the slack of the exact test.</para>
 /// </remarks>
 /// <typeparam name="F">Float lanes, at least four.</typeparam>
 /// <typeparam name="I">Integer lanes of the same width.</typeparam>
@@ -16,7 +18,7 @@ internal readonly unsafe struct PencilParts<F, I>
     where I : unmanaged, IIndexLane<I>
 {
     /// <summary>Most parts of a pencil.</summary>
-    public const int Most = 16;
+    public const int Most = MeshPencil.MostPackets;
 
     /// <summary>Bytes that the numbers of all parts take.</summary>
     public const int Bytes = sizeof(float) * Most * (Columns + (PairNumbers * PencilTriangles.Most));
@@ -26,8 +28,8 @@ internal readonly unsafe struct PencilParts<F, I>
     // Columns of a number each part: the planes along least and largest slopes, as factor of z and limit, then how far the part looks.
     private const int LowX = 0, HighX = 2, LowY = 4, HighY = 6, Far = 8, Columns = 9;
 
-    // Behind the columns, vectors for each group of pairs: the middle of the slopes along x, along y, and their largest differences from it.
-    private const int PairNumbers = 4;
+    // Behind the columns, vectors for each group of pairs: the middle of the slopes along x, along y, and their largest differences from it; then least and largest x, and y.
+    private const int PairNumbers = 8;
 
     private readonly float* _numbers;
     private readonly F _shear, _sign, _nearest;
@@ -78,12 +80,6 @@ internal readonly unsafe struct PencilParts<F, I>
         }
     }
 
-    /// <summary>The part of a pair.</summary>
-    public static int PartOf(int pair) => (int)((uint)pair / PencilTriangles.Most);
-
-    /// <summary>The triangle of a pair, among those of its leaf.</summary>
-    public static int TriangleOf(int pair) => (int)((uint)pair % PencilTriangles.Most);
-
     /// <summary>Sets how far a part looks along z; below 0 for nowhere.</summary>
     public void SetFar(int part, float far) => _numbers[(Far * Most) + part] = far;
 
@@ -111,38 +107,48 @@ internal readonly unsafe struct PencilParts<F, I>
         return met;
     }
 
-    /// <summary>Bits of the pairs that may hit each other (<see cref="PartOf"/>, <see cref="TriangleOf"/>).</summary>
-    /// <param name="columns">The triangles, prepared.</param>
-    /// <param name="left">Bits of the triangles that the pencil may hit.</param>
-    /// <param name="parts">Bits of the parts that matter.</param>
+    /// <summary>Finds the pairs of waiting triangles and parts that may hit each other, as many as a vector has lanes at a time.</summary>
+    /// <param name="queue">The leaves; receives the pairs.</param>
+    /// <param name="columns">Their triangles, prepared.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public ulong Pairs(float* columns, uint left, uint parts)
+    public void FindPairs(PencilQueue* queue, float* columns)
     {
-        int together = F.Width / PencilTriangles.Most;
-        ulong pairs = 0;
-        for (int part = 0; parts >> part != 0; part += together)
+        int together = F.Width / PencilTriangles.Most, groups = 0, pairs = 0;
+        ulong parts = queue->Parts;
+        for (ulong rest = FirstOfGroups(parts, together); rest != 0; rest &= rest - 1)
         {
-            uint own = (parts >> part) & ((1u << together) - 1);
-            if (own != 0)
-            {
-                ulong met = Pairs(columns, part) & (left * 0x1111) & (FirstOfFour(own) * 0xF);
-                pairs |= met << (PencilTriangles.Most * part);
-            }
+            int at = BitOperations.TrailingZeroCount(rest), leaf = (int)((uint)at / Most), first = (int)((uint)at % Most);
+            uint own = (uint)(parts >> at) & ((1u << together) - 1), triangles = (1u << queue->Count[leaf]) - 1;
+            uint bits = Pairs(columns + (PencilTriangles.Most * leaf), first) & (FirstOfFour(own) * triangles);
+            queue->Bits[groups] = bits;
+            queue->From[groups] = PencilQueue.Of(leaf, first);
+            groups += bits != 0 ? 1 : 0;
+            pairs += BitOperations.PopCount(bits);
         }
 
-        return pairs;
+        queue->Bits[groups] = 0;
+        queue->Groups = groups;
+        queue->Pairs = pairs;
     }
 
     /// <summary>Bits of the pairs of some parts, as many as a vector has room for, that may hit each other.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private uint Pairs(float* columns, int first)
     {
-        const int Next = PencilTriangles.EdgeNumbers * PencilTriangles.Most;
+        const int Next = PencilTriangles.EdgeNumbers * PencilTriangles.Room, Room = PencilTriangles.Room;
         F* part = (F*)(_numbers + (Most * Columns) + (first * PairNumbers * PencilTriangles.Most));
         F x = part[0], y = part[1], spreadX = part[2], spreadY = part[3];
         F largest = F.Min(F.Min(Largest(x, y, spreadX, spreadY, columns), Largest(x, y, spreadX, spreadY, columns + Next)), Largest(x, y, spreadX, spreadY, columns + (2 * Next)));
-        return F.Bits(F.LessOrEqual(F.Zero, largest));
+        float* bounds = columns + (PencilTriangles.LowX * Room);
+        F overlaps = F.LessOrEqual(LaneFours.Repeat<F>(bounds), part[5]) & F.LessOrEqual(part[4], LaneFours.Repeat<F>(bounds + Room))
+            & F.LessOrEqual(LaneFours.Repeat<F>(bounds + (2 * Room)), part[7]) & F.LessOrEqual(part[6], LaneFours.Repeat<F>(bounds + (3 * Room)));
+        return F.Bits(F.LessOrEqual(F.Zero, largest) & overlaps);
     }
+
+    /// <summary>In each group of bits, the lowest, set if any is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ulong FirstOfGroups(ulong bits, int together) =>
+        together == 1 ? bits : together == 2 ? (bits | (bits >> 1)) & 0x5555555555555555 : (bits | (bits >> 1) | (bits >> 2) | (bits >> 3)) & 0x1111111111111111;
 
     /// <summary>Four bits, each followed by three that are 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -152,8 +158,8 @@ internal readonly unsafe struct PencilParts<F, I>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static F Largest(F x, F y, F spreadX, F spreadY, float* edge)
     {
-        F edgeX = LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeX * PencilTriangles.Most)), edgeY = LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeY * PencilTriangles.Most));
-        F inMiddle = F.Fma(x, edgeX, F.Fma(y, edgeY, LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeMiddle * PencilTriangles.Most))));
+        F edgeX = LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeX * PencilTriangles.Room)), edgeY = LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeY * PencilTriangles.Room));
+        F inMiddle = F.Fma(x, edgeX, F.Fma(y, edgeY, LaneFours.Repeat<F>(edge + (PencilTriangles.EdgeMiddle * PencilTriangles.Room))));
         return F.Fma(spreadX, F.Abs(edgeX), F.Fma(spreadY, F.Abs(edgeY), inMiddle));
     }
 
@@ -179,5 +185,9 @@ internal readonly unsafe struct PencilParts<F, I>
         *(Float4*)(to + F.Width) = Float4.Of(slopes.MiddleY - pencil.MiddleY);
         *(Float4*)(to + (2 * F.Width)) = Float4.Of(slopes.SpreadX + pencil.SlopeError);
         *(Float4*)(to + (3 * F.Width)) = Float4.Of(slopes.SpreadY + pencil.SlopeError);
+        *(Float4*)(to + (4 * F.Width)) = Float4.Of(slopes.LowX - pencil.MiddleX - pencil.SlopeError);
+        *(Float4*)(to + (5 * F.Width)) = Float4.Of(slopes.HighX - pencil.MiddleX + pencil.SlopeError);
+        *(Float4*)(to + (6 * F.Width)) = Float4.Of(slopes.LowY - pencil.MiddleY - pencil.SlopeError);
+        *(Float4*)(to + (7 * F.Width)) = Float4.Of(slopes.HighY - pencil.MiddleY + pencil.SlopeError);
     }
 }

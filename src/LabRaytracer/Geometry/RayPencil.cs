@@ -40,11 +40,11 @@ internal struct RayPencil
     /// <summary>No line passes the apex farther away, as the sum of three coordinates.</summary>
     public double Beside;
 
-    /// <summary>Part of the error of an edge function (<see cref="PencilTriangles"/>) that is the same for all triangles; double lanes only.</summary>
-    public double Slack;
-
     /// <summary>How far beside a line the test may see points, along x and along y.</summary>
     public double TestError;
+
+    /// <summary>The same in sheared axes.</summary>
+    public double SlopeMargin;
 
     /// <summary>How far a ray's limit along z may differ from the place of its origin.</summary>
     public double LimitError;
