@@ -14,6 +14,9 @@ internal interface IMeshPositions
     /// <summary>Four consecutive numbers; the fourth belongs to the next vertex, or to nothing.</summary>
     Q Row<Q>(int element)
         where Q : unmanaged, IQuad<Q>;
+
+    /// <summary>Says that a number will be read soon.</summary>
+    void Prefetch(int element);
 }
 
 /// <summary>Coordinates in floats.</summary>
@@ -28,6 +31,9 @@ internal readonly unsafe struct MeshSinglePositions(float* numbers) : IMeshPosit
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Q Row<Q>(int element)
         where Q : unmanaged, IQuad<Q> => Q.Load(numbers + element);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Prefetch(int element) => CacheLine.Prefetch(numbers + element);
 }
 
 /// <summary>Coordinates in doubles, read as float lanes see them.</summary>
@@ -42,6 +48,9 @@ internal readonly unsafe struct MeshRoundedPositions(double* numbers) : IMeshPos
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Q Row<Q>(int element)
         where Q : unmanaged, IQuad<Q> => Q.LoadRounded(numbers + element);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Prefetch(int element) => CacheLine.Prefetch(numbers + element);
 }
 
 /// <summary>Coordinates in doubles.</summary>
@@ -56,4 +65,7 @@ internal readonly unsafe struct MeshDoublePositions(double* numbers) : IMeshPosi
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Q Row<Q>(int element)
         where Q : unmanaged, IQuad<Q> => Q.Load(numbers + element);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Prefetch(int element) => CacheLine.Prefetch(numbers + element);
 }

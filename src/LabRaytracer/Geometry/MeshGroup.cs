@@ -49,14 +49,18 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         const int Most = MeshPencil.MostPackets;
         byte* room = stackalloc byte[(Most * sizeof(PencilLanes<R, F, I>)) + CacheLine.Bytes];
         PencilLanes<R, F, I>* lanes = (PencilLanes<R, F, I>*)CacheLine.Start(room);
+        byte* crowdRoom = stackalloc byte[MeshCrowd.Bytes];
+        MeshCrowd crowd = new(crowdRoom);
         for (int packet = first; packet < end; packet += Most)
         {
             int count = Math.Min(Most, end - packet);
             if (Load(member, rays, hits.T, packet, count, lanes))
             {
-                Nearest(mesh.Data, _trees[member], lanes, count, hits, packet, number);
+                MeshHalves.Nearest(mesh.Data, _trees[member], lanes, count, &crowd, hits, packet, number);
             }
         }
+
+        MeshCrowd.Nearest(&crowd, mesh.Data, _trees[member], hits, number);
     }
 
     [SkipLocalsInit]
@@ -66,14 +70,18 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         const int Most = MeshPencil.MostPackets;
         byte* room = stackalloc byte[(Most * sizeof(PencilLanes<R, F, I>)) + CacheLine.Bytes];
         PencilLanes<R, F, I>* lanes = (PencilLanes<R, F, I>*)CacheLine.Start(room);
+        byte* crowdRoom = stackalloc byte[MeshCrowd.Bytes];
+        MeshCrowd crowd = new(crowdRoom);
         for (int packet = first; packet < end; packet += Most)
         {
             int count = Math.Min(Most, end - packet);
             if (Load(member, rays, rays.Limit, packet, count, lanes))
             {
-                Block(mesh.Data, _trees[member], lanes, count, rays, packet, number);
+                MeshHalves.Block(mesh.Data, _trees[member], lanes, count, &crowd, rays, packet, number);
             }
         }
+
+        MeshCrowd.Block(&crowd, mesh.Data, _trees[member], rays, number);
     }
 
     public override void Surface(
@@ -176,44 +184,6 @@ internal sealed unsafe class MeshGroup<R, F, I>(bool isTransformed) : ShapeGroup
         {
             ray = WorldSpace.ToObject(Transform(member), ray);
         }
-    }
-
-    /// <summary>Nearest hits of groups of lanes: as a pencil together, or else half by half, or group by group in the end.</summary>
-    private static void Nearest(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, HitBatch<R, F, I> hits, int packet, int number)
-    {
-        if (MeshPencil.Nearest(mesh, tree, lanes, count, hits, packet, number))
-        {
-            return;
-        }
-
-        if (count == 1)
-        {
-            MeshSearch.Nearest(mesh, tree, lanes->Ray, hits, packet, number);
-            return;
-        }
-
-        int half = count / 2;
-        Nearest(mesh, tree, lanes, half, hits, packet, number);
-        Nearest(mesh, tree, lanes + half, count - half, hits, packet + half, number);
-    }
-
-    /// <summary>Blocks rays of groups of lanes, in the same way.</summary>
-    private static void Block(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, RayBatch<R, F, I> rays, int packet, int number)
-    {
-        if (MeshPencil.Block(mesh, tree, lanes, count, rays, packet, number))
-        {
-            return;
-        }
-
-        if (count == 1)
-        {
-            MeshSearch.Block<R, F, I>(mesh, tree, lanes->Ray, rays.SourceIn(packet, number), ref rays.Limit[packet]);
-            return;
-        }
-
-        int half = count / 2;
-        Block(mesh, tree, lanes, half, rays, packet, number);
-        Block(mesh, tree, lanes + half, count - half, rays, packet + half, number);
     }
 
     /// <summary>What changes over one step of the lanes of one member.</summary>

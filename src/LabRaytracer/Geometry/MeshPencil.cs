@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Pencils of rays against a mesh, in its object space.</summary>
-/// <remarks>The same hits as <see cref="MeshSearch"/>, bit for bit: what floats leave open is decided by the same test.</remarks>
+/// <remarks>The same hits as <see cref="MeshCrowd"/>, bit for bit: what floats leave open is decided by the same test.</remarks>
 internal static unsafe class MeshPencil
 {
     /// <summary>Fewer rays are no pencil.</summary>

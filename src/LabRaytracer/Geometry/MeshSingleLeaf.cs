@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>Tests one ray against the triangles of leaves, four at a time: the operations of <see cref="MeshLeaf{R, F, I, P, TSink}"/> with triangles as lanes, hence its bits.</summary>
+/// <summary>Tests one ray against the triangles of leaves, four at a time.</summary>
 /// <typeparam name="Q">Four lanes of geometry's precision.</typeparam>
 /// <typeparam name="R1">One lane of it.</typeparam>
 /// <typeparam name="P">How positions are stored.</typeparam>
@@ -23,7 +23,7 @@ internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, 
     private WatertightRay<Q> _ray;
     private bool _isPrepared;
 
-    /// <summary>Goes on with another ray, one lane of a group: the same leaf serves many, as its size makes it slow to create.</summary>
+    /// <summary>Goes on with another ray, one lane of a group.</summary>
     /// <returns>The ray's limit in the units of boxes.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float Aim<R, F, I>(in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, int lane)

@@ -45,6 +45,22 @@ internal sealed unsafe class MeshTree
     /// <summary>The triangles in the order of the leaves.</summary>
     public MeshTriangle* Triangles { get; }
 
+    /// <summary>Prepares rays for the boxes; false if all are off.</summary>
+    public bool Prepare<R, F, I>(in RayLanes<R> ray, in R limit, out BvhRay<R, F, I> boxRay)
+        where R : unmanaged, ILane<R, F, I>
+        where F : unmanaged, ILane<F, F, I>
+        where I : unmanaged, IIndexLane<I>
+    {
+        if (Boxes == null || !R.Any(R.Less(R.Zero, limit)))
+        {
+            boxRay = default;
+            return false;
+        }
+
+        BvhRay<R, F, I>.Prepare(Frame, ray, limit, out boxRay);
+        return boxRay.Active != 0;
+    }
+
     /// <summary>Bytes of tree and triangles.</summary>
     public long Bytes => _memory.Bytes + (_boxes?.Bytes ?? 0);
 }

@@ -71,9 +71,9 @@ public sealed class TriangleMesh : Shape
         MeshNearestSink<Double1, Float1, Int1> sink = new() { Object = 0, T = &t, A = &a, B = &b, Objects = &owner, Parts = &part };
         MeshTree tree = Tree(1);
         RayLanes<Double1> lanes = Lanes(ray);
-        if (MeshSearch.Prepare(tree, lanes, t, out BvhRay<Double1, Float1, Int1> boxRay))
+        if (tree.Prepare(lanes, t, out BvhRay<Double1, Float1, Int1> boxRay))
         {
-            MeshSingle.Run<Double1, Float1, Int1, Double4, Double1, MeshNearestSink<Double1, Float1, Int1>, MeshOneSink>(Data, tree, lanes, boxRay, new(sink));
+            MeshSingle.Run(Data, tree, lanes, boxRay, sink);
         }
 
         GC.KeepAlive(this);

@@ -35,32 +35,60 @@ internal static class WatertightTriangle
         in WatertightRay<R> ray, R x0, R y0, R z0, R x1, R y1, R z1, R x2, R y2, R z2, out R t, out R weight1, out R weight2)
         where R : unmanaged, IReal<R>
     {
-        z0 -= ray.OriginZ;
-        z1 -= ray.OriginZ;
-        z2 -= ray.OriginZ;
-        x0 = R.Fma(ray.ShearX, z0, x0 - ray.OriginX);
-        y0 = R.Fma(ray.ShearY, z0, y0 - ray.OriginY);
-        x1 = R.Fma(ray.ShearX, z1, x1 - ray.OriginX);
-        y1 = R.Fma(ray.ShearY, z1, y1 - ray.OriginY);
-        x2 = R.Fma(ray.ShearX, z2, x2 - ray.OriginX);
-        y2 = R.Fma(ray.ShearY, z2, y2 - ray.OriginY);
-        R edge0 = Cross(x1, y1, x2, y2);
-        R edge1 = Cross(x2, y2, x0, y0);
-        R edge2 = Cross(x0, y0, x1, y1);
-        R inside = SameSign(edge0, edge1, edge2);
+        (z0, z1, z2) = (z0 - ray.OriginZ, z1 - ray.OriginZ, z2 - ray.OriginZ);
+        R inside = Edges(ray.OriginX, ray.OriginY, ray.ShearX, ray.ShearY, x0, y0, z0, x1, y1, z1, x2, y2, z2, out R edge0, out R edge1, out R edge2);
         if (!R.Any(inside))
         {
             t = weight1 = weight2 = R.Zero;
             return inside;
         }
 
+        return inside & Distance(ray.ScaleZ, z0, z1, z2, edge0, edge1, edge2, out t, out weight1, out weight2);
+    }
+
+    /// <summary>
+    /// The same without a branch, for rays whose numbers (<see cref="WatertightRay{R}"/>) are handed over one by one: where many pass a triangle's inside, nobody can tell which.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static R IntersectTurned<R>(
+        R originX, R originY, R originZ, R shearX, R shearY, R scaleZ, R x0, R y0, R z0, R x1, R y1, R z1, R x2, R y2, R z2, out R t, out R weight1, out R weight2)
+        where R : unmanaged, IReal<R>
+    {
+        (z0, z1, z2) = (z0 - originZ, z1 - originZ, z2 - originZ);
+        R inside = Edges(originX, originY, shearX, shearY, x0, y0, z0, x1, y1, z1, x2, y2, z2, out R edge0, out R edge1, out R edge2);
+        return inside & Distance(scaleZ, z0, z1, z2, edge0, edge1, edge2, out t, out weight1, out weight2);
+    }
+
+    /// <summary>Edge functions of vertices whose z is relative to the ray's origin, and the mask of those that the line of the ray passes inside of.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R Edges<R>(
+        R originX, R originY, R shearX, R shearY, R x0, R y0, R z0, R x1, R y1, R z1, R x2, R y2, R z2, out R edge0, out R edge1, out R edge2)
+        where R : unmanaged, IReal<R>
+    {
+        x0 = R.Fma(shearX, z0, x0 - originX);
+        y0 = R.Fma(shearY, z0, y0 - originY);
+        x1 = R.Fma(shearX, z1, x1 - originX);
+        y1 = R.Fma(shearY, z1, y1 - originY);
+        x2 = R.Fma(shearX, z2, x2 - originX);
+        y2 = R.Fma(shearY, z2, y2 - originY);
+        edge0 = Cross(x1, y1, x2, y2);
+        edge1 = Cross(x2, y2, x0, y0);
+        edge2 = Cross(x0, y0, x1, y1);
+        return SameSign(edge0, edge1, edge2);
+    }
+
+    /// <summary>Ray parameters and weights; the mask is false where the parameter is not above 0 and finite.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static R Distance<R>(R scaleZ, R z0, R z1, R z2, R edge0, R edge1, R edge2, out R t, out R weight1, out R weight2)
+        where R : unmanaged, IReal<R>
+    {
         R toWeight = R.Of(1) / (edge0 + edge1 + edge2);
-        t = Lane.Dot(edge0, edge1, edge2, z0, z1, z2) * toWeight * ray.ScaleZ;
+        t = Lane.Dot(edge0, edge1, edge2, z0, z1, z2) * toWeight * scaleZ;
         weight1 = edge1 * toWeight;
         weight2 = edge2 * toWeight;
 
         // A triangle seen edge-on has the sum 0: t is infinite or NaN then, which is no hit.
-        return inside & R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
+        return R.Less(R.Zero, t) & R.Less(t, R.Of(double.PositiveInfinity));
     }
 
     /// <summary>x1 y2 - y1 x2 with the exact sign; it changes sign when the points are exchanged.</summary>
