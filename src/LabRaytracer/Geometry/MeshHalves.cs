@@ -3,22 +3,26 @@ namespace LabRaytracer;
 /// <summary>Some groups of lanes against a mesh, in its object space.</summary>
 internal static unsafe class MeshHalves
 {
-    /// <summary>Nearest hits of groups of lanes: as a pencil together, or else half by half; groups that are no pencil join a crowd.</summary>
+    /// <summary>Nearest hits of groups of lanes: as a pencil together, or else half by half; groups that are no pencil, or too wide a one, join a crowd.</summary>
     public static void Nearest<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, MeshCrowd* crowd, HitBatch<R, F, I> hits, int packet, int number)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        if (MeshPencil.Nearest(mesh, tree, lanes, count, hits, packet, number))
+        PencilAnswer answer = MeshPencil.Nearest(mesh, tree, lanes, count, hits, packet, number);
+        if (answer == PencilAnswer.Found)
         {
             return;
         }
 
-        if (count == 1)
+        if (answer == PencilAnswer.TooWide || count == 1)
         {
-            if (crowd->Add<R, F, I>(tree, lanes->Ray, lanes->Limit, packet))
+            for (int k = 0; k < count; k++)
             {
-                MeshCrowd.Nearest(crowd, mesh, tree, hits, number);
+                if (crowd->Add<R, F, I>(tree, lanes[k].Ray, hits.T[packet + k], packet + k))
+                {
+                    MeshCrowd.Nearest(crowd, mesh, tree, hits, number);
+                }
             }
 
             return;
@@ -35,16 +39,20 @@ internal static unsafe class MeshHalves
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
     {
-        if (MeshPencil.Block(mesh, tree, lanes, count, rays, packet, number))
+        PencilAnswer answer = MeshPencil.Block(mesh, tree, lanes, count, rays, packet, number);
+        if (answer == PencilAnswer.Found)
         {
             return;
         }
 
-        if (count == 1)
+        if (answer == PencilAnswer.TooWide || count == 1)
         {
-            if (crowd->Add<R, F, I>(tree, lanes->Ray, lanes->Limit, packet))
+            for (int k = 0; k < count; k++)
             {
-                MeshCrowd.Block(crowd, mesh, tree, rays, number);
+                if (crowd->Add<R, F, I>(tree, lanes[k].Ray, rays.Limit[packet + k], packet + k))
+                {
+                    MeshCrowd.Block(crowd, mesh, tree, rays, number);
+                }
             }
 
             return;

@@ -12,7 +12,7 @@ internal static unsafe class MeshPencil
     /// <summary>Groups of lanes that are searched for together at most: many share what is done for boxes and triangles, but differ in where they go.</summary>
     public const int MostPackets = 16;
 
-    /// <summary>Keeps the nearest hits, if the rays are a pencil that starts in its apex; else false, and nothing happens.</summary>
+    /// <summary>Keeps the nearest hits, if the rays are a pencil that starts in its apex.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="tree">Its tree.</param>
     /// <param name="lanes">Groups of lanes with their rays and limits.</param>
@@ -21,7 +21,7 @@ internal static unsafe class MeshPencil
     /// <param name="first">The first group of lanes there.</param>
     /// <param name="number">Number of the mesh's object.</param>
     [SkipLocalsInit]
-    public static bool Nearest<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, HitBatch<R, F, I> hits, int first, int number)
+    public static PencilAnswer Nearest<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, HitBatch<R, F, I> hits, int first, int number)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -29,14 +29,13 @@ internal static unsafe class MeshPencil
         SlopeBounds* slopes = stackalloc SlopeBounds[count];
         if (R.Width < PencilTriangles.Most || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: false, slopes, out RayPencil pencil))
         {
-            return false;
+            return PencilAnswer.NoPencil;
         }
 
-        Run(mesh, tree, pencil, lanes, count, slopes, new PencilNearest<R, F, I>(mesh, tree.Triangles, pencil.Axis, hits, first, number));
-        return true;
+        return Run(mesh, tree, pencil, lanes, count, slopes, new PencilNearest<R, F, I>(mesh, tree.Triangles, pencil.Axis, hits, first, number));
     }
 
-    /// <summary>Ends the rays that are blocked, if they are a pencil that ends in its apex; else false, and nothing happens.</summary>
+    /// <summary>Ends the rays that are blocked, if they are a pencil that ends in its apex.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="tree">Its tree.</param>
     /// <param name="lanes">Groups of lanes with their rays and limits.</param>
@@ -45,7 +44,7 @@ internal static unsafe class MeshPencil
     /// <param name="first">The first group of lanes there.</param>
     /// <param name="number">Number of the mesh's object.</param>
     [SkipLocalsInit]
-    public static bool Block<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, RayBatch<R, F, I> rays, int first, int number)
+    public static PencilAnswer Block<R, F, I>(MeshData mesh, MeshTree tree, PencilLanes<R, F, I>* lanes, int count, RayBatch<R, F, I> rays, int first, int number)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -53,14 +52,13 @@ internal static unsafe class MeshPencil
         SlopeBounds* slopes = stackalloc SlopeBounds[count];
         if (R.Width < PencilTriangles.Most || tree.Boxes == null || !PencilFinder.Find(lanes, count, tree.Frame, endsAtApex: true, slopes, out RayPencil pencil))
         {
-            return false;
+            return PencilAnswer.NoPencil;
         }
 
-        Run(mesh, tree, pencil, lanes, count, slopes, new PencilBlock<R, F, I>(mesh, tree.Triangles, pencil.Axis, rays, first, number));
-        return true;
+        return Run(mesh, tree, pencil, lanes, count, slopes, new PencilBlock<R, F, I>(mesh, tree.Triangles, pencil.Axis, rays, first, number));
     }
 
-    private static void Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, SlopeBounds* slopes, in TGoal goal)
+    private static PencilAnswer Run<R, F, I, TGoal>(MeshData mesh, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, SlopeBounds* slopes, in TGoal goal)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -68,20 +66,16 @@ internal static unsafe class MeshPencil
     {
         if (mesh.Positions.Singles != null)
         {
-            Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, slopes, goal);
+            return Run(new MeshSinglePositions(mesh.Positions.Singles), tree, pencil, lanes, count, slopes, goal);
         }
-        else if (R.IsSingle)
-        {
-            Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, slopes, goal);
-        }
-        else
-        {
-            Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, slopes, goal);
-        }
+
+        return R.IsSingle
+            ? Run(new MeshRoundedPositions(mesh.Positions.Doubles), tree, pencil, lanes, count, slopes, goal)
+            : Run(new MeshDoublePositions(mesh.Positions.Doubles), tree, pencil, lanes, count, slopes, goal);
     }
 
     [SkipLocalsInit]
-    private static void Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, SlopeBounds* slopes, in TGoal goal)
+    private static PencilAnswer Run<R, F, I, P, TGoal>(P positions, MeshTree tree, in RayPencil pencil, PencilLanes<R, F, I>* lanes, int count, SlopeBounds* slopes, in TGoal goal)
         where R : unmanaged, ILane<R, F, I>
         where F : unmanaged, ILane<F, F, I>
         where I : unmanaged, IIndexLane<I>
@@ -107,5 +101,6 @@ internal static unsafe class MeshPencil
         }
 
         leaf.End();
+        return leaf.IsTooWide ? PencilAnswer.TooWide : PencilAnswer.Found;
     }
 }

@@ -28,11 +28,18 @@ internal unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     where P : struct, IMeshPositions
     where TGoal : struct, IPencilGoal<R, F, I>
 {
+    /// <summary>Most leaves that a group of lanes is worth: about what its rays take on their own.</summary>
+    private const int LeavesOfPart = 64;
+
     private readonly RayPencil _pencil = pencil;
     private readonly PencilParts<F, I> _parts = parts;
     private readonly TGoal _goal = goal;
+    private int _left = count * LeavesOfPart;
 
     public static bool IsOrdered => TGoal.IsOrdered;
+
+    /// <summary>Tells whether the search ended early: for the size of the triangles, the rays are too far from each other, as those of a small picture, or those to a lamp from what mirrors show.</summary>
+    public readonly bool IsTooWide => _left < 0;
 
     /// <summary>Sets the limits.</summary>
     /// <returns>The largest one.</returns>
@@ -55,6 +62,12 @@ internal unsafe struct PencilLeaf<R, F, I, P, TGoal>(
 
     public void Visit(int first, int number, float* box, ref float limit)
     {
+        if (--_left < 0)
+        {
+            limit = -1;
+            return;
+        }
+
         queue->Add(first, number, _parts.Meet(box));
         if (queue->Leaves == PencilQueue.Most)
         {
