@@ -29,7 +29,7 @@ internal unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     where TGoal : struct, IPencilGoal<R, F, I>
 {
     /// <summary>Most leaves that a group of lanes is worth: about what its rays take on their own.</summary>
-    private const int LeavesOfPart = 64;
+    private const int LeavesOfPart = 40;
 
     private readonly RayPencil _pencil = pencil;
     private readonly PencilParts<F, I> _parts = parts;
