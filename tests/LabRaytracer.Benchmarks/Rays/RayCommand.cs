@@ -71,7 +71,7 @@ internal static class RayCommand
             foreach (int threads in (int[])[1, 2])
             {
                 (double wall, double processor) = Best(() => stream.Trace(threads));
-                Line($"{stream.Name,-10} {precision,-6} {threads} thread(s): {stream.RayCount / wall * 1e-6,6:0.00} M rays/s, {stream.RayCount / processor * 1e-6,6:0.00} a second of processor time; {stream.RayCount} rays, {stream.HitCount} hit; {stream.Agreement()}");
+                Line($"{stream.Name,-16} {precision,-6} {threads} thread(s): {stream.RayCount / wall * 1e-6,6:0.00} M rays/s, {stream.RayCount / processor * 1e-6,6:0.00} a second of processor time; {stream.RayCount} rays, {stream.HitCount} hit; {stream.Agreement()}");
             }
         }
     }

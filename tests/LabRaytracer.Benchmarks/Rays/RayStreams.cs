@@ -1,6 +1,6 @@
 namespace LabRaytracer.Benchmarks;
 
-/// <summary>Rays of the bench scene s4 against its mesh alone: from the camera, from what they hit to the lamp, and from there in random directions.</summary>
+/// <summary>Rays of the bench scene s4 against its mesh alone: from the camera, from what they hit to the lamp, from there in random directions, and from what those hit to the lamp.</summary>
 internal sealed class RayStreams<R, F, I> : IDisposable
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
@@ -18,7 +18,11 @@ internal sealed class RayStreams<R, F, I> : IDisposable
         primary.Trace(2);
         RayStream<R, F, I> shadow = new("shadow", mesh, group, _memory, ToLamp(mesh, primary), isShadow: true);
         shadow.LeaveFrom(primary);
-        All = [primary, shadow, new("diffuse", mesh, group, _memory, Diffuse(mesh, primary), isShadow: false)];
+        RayStream<R, F, I> diffuse = new("diffuse", mesh, group, _memory, Diffuse(mesh, primary), isShadow: false);
+        diffuse.Trace(2);
+        RayStream<R, F, I> scattered = new("scattered shadow", mesh, group, _memory, ToLamp(mesh, diffuse), isShadow: true);
+        scattered.LeaveFrom(diffuse);
+        All = [primary, shadow, diffuse, scattered];
     }
 
     public IReadOnlyList<RayStream<R, F, I>> All { get; }
@@ -52,16 +56,16 @@ internal sealed class RayStreams<R, F, I> : IDisposable
     private static int Gathered(int number) => (number & 1) | ((number >> 1) & 2);
 
     /// <summary>A ray for each ray that hits; off where it does not, or where the surface faces away.</summary>
-    private static List<(Ray Ray, double Limit)> ToLamp(TriangleMesh mesh, RayStream<R, F, I> primary)
+    private static List<(Ray Ray, double Limit)> ToLamp(TriangleMesh mesh, RayStream<R, F, I> from)
     {
         Point3D lamp = new(4, 6, 5);
         List<(Ray, double)> rays = [];
-        for (int i = 0; i < primary.Rays.Count; i++)
+        for (int i = 0; i < from.Rays.Count; i++)
         {
             (Ray, double) ray = (new Ray(Point3D.Origin, Vector3D.UnitZ), -1);
-            if (primary.HitOf(i) is { } hit)
+            if (from.HitOf(i) is { } hit)
             {
-                SurfacePoint surface = mesh.SurfaceAt(primary.Rays[i], hit);
+                SurfacePoint surface = mesh.SurfaceAt(from.Rays[i], hit);
                 Vector3D toLamp = lamp - surface.Point;
                 ray = Vector3D.Dot(surface.Normal, toLamp) > 0 ? (new Ray(surface.Point + (surface.Normal * Slack(surface)), toLamp.Normalized()), toLamp.Length) : ray;
             }
