@@ -32,6 +32,7 @@ internal static unsafe class PencilFinder
             return false;
         }
 
+        pencil.Rays = active;
         Point3D apex = EndOf(lanes + first, lane, endsAtApex);
         Vector3D direction = new(Take(lanes[first].Ray.DirectionX, lane), Take(lanes[first].Ray.DirectionY, lane), Take(lanes[first].Ray.DirectionZ, lane));
         pencil.Axis = LargestAxis(direction);

@@ -28,13 +28,13 @@ internal unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     where P : struct, IMeshPositions
     where TGoal : struct, IPencilGoal<R, F, I>
 {
-    /// <summary>Most leaves that a group of lanes is worth: about what its rays take on their own.</summary>
-    private const int LeavesOfPart = 40;
+    /// <summary>Most leaves that two rays are worth: about what they take on their own.</summary>
+    private const int LeavesOfTwoRays = 5;
 
     private readonly RayPencil _pencil = pencil;
     private readonly PencilParts<F, I> _parts = parts;
     private readonly TGoal _goal = goal;
-    private int _left = count * LeavesOfPart;
+    private int _left = pencil.Rays * LeavesOfTwoRays / 2;
 
     public static bool IsOrdered => TGoal.IsOrdered;
 

@@ -10,6 +10,9 @@ internal struct RayPencil
     /// <summary>More than this is not sheared.</summary>
     public const double LargestShear = 4;
 
+    /// <summary>How many rays are on.</summary>
+    public int Rays;
+
     /// <summary>The apex, with turned axes.</summary>
     public double ApexX, ApexY, ApexZ;
 
