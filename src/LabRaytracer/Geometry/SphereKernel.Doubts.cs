@@ -57,10 +57,15 @@ internal readonly unsafe partial struct SphereKernel
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static R IsRough<R>(in CentredRay<R> ray, R radius, R discriminant, R near, R far, R half)
-        where R : unmanaged, IReal<R> =>
-        ~R.LessOrEqual(Square(ray, radius), R.Of(400) * half * half) | IsClose(ray, radius, discriminant, near, far);
+        where R : unmanaged, IReal<R>
+    {
+        R isRough = ~R.LessOrEqual(Square(ray, radius), R.Of(400) * half * half) | IsClose(ray, radius, discriminant, near, far);
 
-    /// <summary>Mask: the error of half the chord shows in t, and takes twice the digits; so do all rough points. Up to r^2 / half = t it keeps t within 2.5 units.</summary>
+        // Floats have no digits to spare: on a ground as large as the earth, three units of the radius are seen where rays start near to it.
+        return R.IsSingle ? IsHardT(ray, radius, near, far, half, isRough, out _) : isRough;
+    }
+
+    /// <summary>Mask: the error of half the chord shows in t, and takes twice the digits; so do all rough points, which in float lanes are the same. Up to r^2 / half = t it keeps t within 2.5 units.</summary>
     /// <param name="ray">Rays from their points nearest to the centre.</param>
     /// <param name="radius">Radius.</param>
     /// <param name="near">Ray parameter of the chord's beginning.</param>

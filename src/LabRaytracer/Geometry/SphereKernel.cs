@@ -157,7 +157,7 @@ internal readonly unsafe partial struct SphereKernel : IShapeKernel
     /// It is the nearest point l plus or minus half the chord, never o + t d - c: its error stays at a few ulp of the radius at any distance.
     /// Which end of the chord was hit is decided by the very numbers that decided it in <see cref="Intersect"/>; where those leave a choice, by t.
     /// Grazing hits, where half the chord has lost digits, are computed with twice the digits: t within 2.5 units of 2^-53, the point within 3 such units of the radius.
-    /// So is t of rays that start near to their hit, if somebody reads it; points do not need it.
+    /// So is t of rays that start near to their hit, if somebody reads it; points do not need it, except in float lanes.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Reach<R, P>(in P shape, in RayLanes<R> ray, SurfaceNeeds needs, ref R t, out R x, out R y, out R z)
