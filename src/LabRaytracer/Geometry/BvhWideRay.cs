@@ -2,41 +2,37 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>One ray against eight boxes at a time: the numbers of <see cref="BvhRay{R, F, I}"/> of one lane, in every lane.</summary>
-internal unsafe struct BvhWideRay : IBvhWideTest
+/// <summary>One ray against eight boxes at a time: the numbers of <see cref="BvhRay{R, F, I}"/> in every lane.</summary>
+internal readonly unsafe struct BvhWideRay : IBvhWideTest
 {
     /// <summary>1 / direction.</summary>
-    public Float8 InverseX, InverseY, InverseZ;
+    public readonly Float8 InverseX, InverseY, InverseZ;
 
     /// <summary>Offsets of the planes that are met first.</summary>
-    public Float8 EarlyX, EarlyY, EarlyZ;
+    public readonly Float8 EarlyX, EarlyY, EarlyZ;
 
     /// <summary>Offsets of the planes that are met last.</summary>
-    public Float8 LateX, LateY, LateZ;
+    public readonly Float8 LateX, LateY, LateZ;
 
     /// <summary>Where in a node the planes start that are met first; those that are met last are <see cref="Across"/> away.</summary>
-    public int NearX, NearY, NearZ;
+    public readonly int NearX, NearY, NearZ;
 
     /// <summary>From smallest to largest coordinates of a node.</summary>
     public const int Across = 3 * BvhWideNode.Width;
 
-    /// <summary>Goes on with another ray, one lane of prepared ones: written in place, as the whole is slow to create and to copy.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Aim<R, F, I>(in BvhRay<R, F, I> rays, int lane)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I>
+    /// <param name="ray">The prepared ray.</param>
+    public BvhWideRay(in BvhRay<Double1, Float1, Int1> ray)
     {
-        (InverseX, EarlyX, LateX) = (Float8.Of(Take(rays.X.Inverse, lane)), Float8.Of(Take(rays.X.Near, lane)), Float8.Of(Take(rays.X.Far, lane)));
-        (InverseY, EarlyY, LateY) = (Float8.Of(Take(rays.Y.Inverse, lane)), Float8.Of(Take(rays.Y.Near, lane)), Float8.Of(Take(rays.Y.Far, lane)));
-        (InverseZ, EarlyZ, LateZ) = (Float8.Of(Take(rays.Z.Inverse, lane)), Float8.Of(Take(rays.Z.Near, lane)), Float8.Of(Take(rays.Z.Far, lane)));
-        NearX = (int)((rays.NegativeX >> lane) & 1) * Across;
-        NearY = BvhWideNode.Width + ((int)((rays.NegativeY >> lane) & 1) * Across);
-        NearZ = (2 * BvhWideNode.Width) + ((int)((rays.NegativeZ >> lane) & 1) * Across);
+        (InverseX, EarlyX, LateX) = (Float8.Of(ray.X.Inverse.Value), Float8.Of(ray.X.Near.Value), Float8.Of(ray.X.Far.Value));
+        (InverseY, EarlyY, LateY) = (Float8.Of(ray.Y.Inverse.Value), Float8.Of(ray.Y.Near.Value), Float8.Of(ray.Y.Far.Value));
+        (InverseZ, EarlyZ, LateZ) = (Float8.Of(ray.Z.Inverse.Value), Float8.Of(ray.Z.Near.Value), Float8.Of(ray.Z.Far.Value));
+        NearX = ray.NegativeX != 0 ? Across : 0;
+        NearY = BvhWideNode.Width + (ray.NegativeY != 0 ? Across : 0);
+        NearZ = (2 * BvhWideNode.Width) + (ray.NegativeZ != 0 ? Across : 0);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly uint Meet(float* planes, float limit, out Float8 near)
+    public uint Meet(float* planes, float limit, out Float8 near)
     {
         const int Axis = BvhWideNode.Width;
         Float8 nearX = Float8.Fma(*(Float8*)(planes + NearX), InverseX, EarlyX);
@@ -49,7 +45,4 @@ internal unsafe struct BvhWideRay : IBvhWideTest
         Float8 far = Float8.Min(Float8.Min(farX, farY), Float8.Min(farZ, Float8.Of(limit)));
         return Float8.Bits(Float8.LessOrEqual(near, far));
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Take<F>(in F lanes, int lane) => Unsafe.Add(ref Unsafe.As<F, float>(ref Unsafe.AsRef(in lanes)), lane);
 }

@@ -46,12 +46,6 @@ internal static unsafe class BvhWideTraversal
                         continue;
                     }
 
-                    if (!TLeaf.IsOrdered)
-                    {
-                        at = PutAside(node, child, met, pending, ref depth, out box);
-                        continue;
-                    }
-
                     *(Float8*)nears = near;
                     at = Sort(node, child, met, nears, pending, ref depth, out box);
                     continue;
@@ -80,20 +74,6 @@ internal static unsafe class BvhWideTraversal
             at = pending[depth].Child;
             box = pending[depth].Box;
         }
-    }
-
-    /// <summary>Puts all children but the first aside.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int PutAside(BvhWideNode* node, int first, uint others, Pending* pending, ref int depth, out float* box)
-    {
-        for (; others != 0; others &= others - 1)
-        {
-            int child = BitOperations.TrailingZeroCount(others);
-            pending[depth++] = new() { Near = 0, Child = node->Children[child], Box = node->Planes + child };
-        }
-
-        box = node->Planes + first;
-        return node->Children[first];
     }
 
     /// <summary>Puts all children but the nearest aside, the farthest lowest; returns the nearest.</summary>

@@ -1,11 +1,8 @@
 namespace LabRaytracer;
 
-/// <summary>What a search with one ray does at the leaves.</summary>
+/// <summary>What a search of a wide tree does at the leaves.</summary>
 internal interface IBvhWideLeaf
 {
-    /// <summary>Whether near items should come first: not where any hit will do.</summary>
-    static abstract bool IsOrdered { get; }
-
     /// <summary>Says that the items from a place on are likely to be tested soon.</summary>
     /// <param name="first">First place.</param>
     void Expect(int first);

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>Tests rays against the triangles of leaves, one ray against four at a time, which are read and turned once for all rays: the operations of <see cref="MeshSingleLeaf{Q, R1, P, TSink}"/>, hence its bits.</summary>
+/// <summary>Tests rays against the triangles of leaves, one ray against four at a time, which are read and turned once for all rays: the operations of <see cref="MeshSingleLeaf{P}"/>, hence its bits.</summary>
 /// <typeparam name="Q">Four lanes of geometry's precision.</typeparam>
 /// <typeparam name="R1">One lane of it.</typeparam>
 /// <typeparam name="P">How positions are stored.</typeparam>

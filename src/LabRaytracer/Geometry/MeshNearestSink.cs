@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace LabRaytracer;
 
 /// <summary>Keeps the nearest hit; on a tie the smaller object number, then the smaller triangle number, as <see cref="HitBatch{R, F, I}"/> promises.</summary>
-internal readonly unsafe struct MeshNearestSink<R, F, I> : IMeshSink<R>
+internal readonly unsafe struct MeshNearestSink<R, F, I>
     where R : unmanaged, ILane<R, F, I>
     where F : unmanaged, ILane<F, F, I>
     where I : unmanaged, IIndexLane<I>
@@ -46,6 +46,14 @@ internal readonly unsafe struct MeshNearestSink<R, F, I> : IMeshSink<R>
     /// <summary>Known triangle numbers.</summary>
     public required I* Parts { get; init; }
 
+    /// <summary>Takes the hits of one triangle.</summary>
+    /// <param name="mask">Lanes that hit at <paramref name="t"/>, with 0 &lt; t &lt;= limit; at least one.</param>
+    /// <param name="t">Ray parameters.</param>
+    /// <param name="weight1">Weights of vertex 1.</param>
+    /// <param name="weight2">Weights of vertex 2.</param>
+    /// <param name="triangle">Number of the triangle.</param>
+    /// <param name="limit">Ray parameters beyond which hits do not matter.</param>
+    /// <returns>Whether a limit was lowered.</returns>
     public bool Take(in R mask, in R t, in R weight1, in R weight2, int triangle, ref R limit) => Take(mask, t, weight1, weight2, I.Of(triangle), ref limit);
 
     /// <summary>Takes hits, each of a triangle of its own.</summary>

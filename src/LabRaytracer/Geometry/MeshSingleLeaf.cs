@@ -3,79 +3,61 @@ using System.Runtime.CompilerServices;
 
 namespace LabRaytracer;
 
-/// <summary>Tests one ray against the triangles of leaves, four at a time.</summary>
-/// <typeparam name="Q">Four lanes of geometry's precision.</typeparam>
-/// <typeparam name="R1">One lane of it.</typeparam>
+/// <summary>Tests one ray against the triangles of leaves, four at a time, and keeps the nearest hit.</summary>
 /// <typeparam name="P">How positions are stored.</typeparam>
-/// <typeparam name="TSink">What happens to hits.</typeparam>
-internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, P positions) : IBvhWideLeaf
-    where Q : unmanaged, IQuad<Q>
-    where R1 : unmanaged, ILane<R1, Float1, Int1>
+internal unsafe struct MeshSingleLeaf<P> : IBvhWideLeaf
     where P : struct, IMeshPositions
-    where TSink : struct, IMeshSink<R1>
 {
-    /// <summary>What was found.</summary>
-    public TSink Sink;
+    private readonly MeshTriangle* _triangles;
+    private readonly P _positions;
+    private readonly WatertightRay<Double4> _ray;
+    private readonly MeshNearestSink<Double1, Float1, Int1> _sink;
+    private readonly Double1 _toFloat;
+    private Double1 _limit;
 
-    private RayLanes<Q> _source;
-    private R1 _toFloat;
-    private R1 _limit;
-    private WatertightRay<Q> _ray;
-    private bool _isPrepared;
-
-    /// <summary>Goes on with another ray, one lane of a group.</summary>
-    /// <returns>The ray's limit in the units of boxes.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public float Aim<R, F, I>(in RayLanes<R> ray, in BvhRay<R, F, I> boxRay, int lane)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I>
+    /// <param name="triangles">Triangles in the order of the tree.</param>
+    /// <param name="positions">Their vertices.</param>
+    /// <param name="ray">The ray.</param>
+    /// <param name="boxRay">The same, prepared for boxes.</param>
+    /// <param name="sink">Keeps the hit.</param>
+    public MeshSingleLeaf(
+        MeshTriangle* triangles, P positions, in RayLanes<Double1> ray, in BvhRay<Double1, Float1, Int1> boxRay, in MeshNearestSink<Double1, Float1, Int1> sink)
     {
-        _source = new RayLanes<Q>(
-            Q.Of(Get(ray.OriginX, lane)), Q.Of(Get(ray.OriginY, lane)), Q.Of(Get(ray.OriginZ, lane)),
-            Q.Of(Get(ray.DirectionX, lane)), Q.Of(Get(ray.DirectionY, lane)), Q.Of(Get(ray.DirectionZ, lane)));
-        _limit = R1.Of(Get(boxRay.Limit, lane));
-        _toFloat = R1.Of(Get(boxRay.ToFloat, lane));
-        _isPrepared = false;
-        return (float)Float1.Get(BvhRay<R1, Float1, Int1>.LimitOf(_limit, _toFloat), 0);
+        _triangles = triangles;
+        (_positions, _sink) = (positions, sink);
+        (_limit, _toFloat) = (boxRay.Limit, boxRay.ToFloat);
+        _ray = new WatertightRay<Double4>(new RayLanes<Double4>(
+            Double4.Of(ray.OriginX.Value), Double4.Of(ray.OriginY.Value), Double4.Of(ray.OriginZ.Value),
+            Double4.Of(ray.DirectionX.Value), Double4.Of(ray.DirectionY.Value), Double4.Of(ray.DirectionZ.Value)));
     }
 
-    public static bool IsOrdered => true;
+    /// <summary>The limit in the units of boxes.</summary>
+    public readonly float BoxLimit => BvhRay<Double1, Float1, Int1>.LimitOf(_limit, _toFloat).Value;
 
-    public void Expect(int first) => CacheLine.Prefetch(triangles + first);
+    public readonly void Expect(int first) => CacheLine.Prefetch(_triangles + first);
 
     public void Visit(int first, int count, float* box, ref float limit)
     {
-        if (!_isPrepared)
-        {
-            _ray = new WatertightRay<Q>(_source);
-            _isPrepared = true;
-        }
-
-        MeshTriangle* triangle = triangles + first;
-        Q mask = Intersect(triangle, count - 1, out Q t, out Q weight1, out Q weight2);
-        uint hits = Q.Bits(mask & Q.LessOrEqual(t, Q.Of(R1.Get(_limit, 0)))) & ((1u << count) - 1);
+        MeshTriangle* triangle = _triangles + first;
+        Double4 mask = Intersect(triangle, count - 1, out Double4 t, out Double4 weight1, out Double4 weight2);
+        uint hits = Double4.Bits(mask & Double4.LessOrEqual(t, Double4.Of(_limit.Value))) & ((1u << count) - 1);
         if (hits != 0 && Take(triangle, hits, t, weight1, weight2))
         {
-            limit = (float)Float1.Get(BvhRay<R1, Float1, Int1>.LimitOf(_limit, _toFloat), 0);
+            limit = BoxLimit;
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Get<R>(in R lanes, int lane)
-        where R : unmanaged, IReal<R> => Lane.Take((R*)Unsafe.AsPointer(ref Unsafe.AsRef(in lanes)), lane);
-
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private bool Take(MeshTriangle* triangle, uint hits, in Q t, in Q weight1, in Q weight2)
+    private bool Take(MeshTriangle* triangle, uint hits, in Double4 t, in Double4 weight1, in Double4 weight2)
     {
         bool isLowered = false;
         for (; hits != 0; hits &= hits - 1)
         {
             int lane = BitOperations.TrailingZeroCount(hits);
-            R1 own = R1.Of(Q.Get(t, lane));
-            if (R1.Any(R1.LessOrEqual(own, _limit)))
+            Double1 own = new(Double4.Get(t, lane));
+            if (own.Value <= _limit.Value)
             {
-                isLowered |= Sink.Take(R1.True, own, R1.Of(Q.Get(weight1, lane)), R1.Of(Q.Get(weight2, lane)), triangle[lane].Number, ref _limit);
+                isLowered |= _sink.Take(Double1.True, own, new(Double4.Get(weight1, lane)), new(Double4.Get(weight2, lane)), triangle[lane].Number, ref _limit);
             }
         }
 
@@ -84,20 +66,21 @@ internal unsafe struct MeshSingleLeaf<Q, R1, P, TSink>(MeshTriangle* triangles, 
 
     /// <summary>Four triangles; the last one again where there are fewer.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly Q Intersect(MeshTriangle* triangle, int last, out Q t, out Q weight1, out Q weight2)
+    private readonly Double4 Intersect(MeshTriangle* triangle, int last, out Double4 t, out Double4 weight1, out Double4 weight2)
     {
         MeshTriangle* b = triangle + Math.Min(1, last), c = triangle + Math.Min(2, last), d = triangle + last;
-        Turn(triangle->Element0, b->Element0, c->Element0, d->Element0, out Q x0, out Q y0, out Q z0);
-        Turn(triangle->Element1, b->Element1, c->Element1, d->Element1, out Q x1, out Q y1, out Q z1);
-        Turn(triangle->Element2, b->Element2, c->Element2, d->Element2, out Q x2, out Q y2, out Q z2);
+        Turn(triangle->Element0, b->Element0, c->Element0, d->Element0, out Double4 x0, out Double4 y0, out Double4 z0);
+        Turn(triangle->Element1, b->Element1, c->Element1, d->Element1, out Double4 x1, out Double4 y1, out Double4 z1);
+        Turn(triangle->Element2, b->Element2, c->Element2, d->Element2, out Double4 x2, out Double4 y2, out Double4 z2);
         return WatertightTriangle.IntersectTurned(_ray, x0, y0, z0, x1, y1, z1, x2, y2, z2, out t, out weight1, out weight2);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void Turn(int a, int b, int c, int d, out Q x, out Q y, out Q z)
+    private readonly void Turn(int a, int b, int c, int d, out Double4 x, out Double4 y, out Double4 z)
     {
         // All lanes are the same ray, with the same largest axis.
-        Q.Turn(positions.Row<Q>(a), positions.Row<Q>(b), positions.Row<Q>(c), positions.Row<Q>(d), out Q first, out Q second, out Q third);
+        P p = _positions;
+        Double4.Turn(p.Row<Double4>(a), p.Row<Double4>(b), p.Row<Double4>(c), p.Row<Double4>(d), out Double4 first, out Double4 second, out Double4 third);
         (x, y, z) = _ray.SharedAxis == 2 ? (first, second, third) : _ray.SharedAxis == 1 ? (third, first, second) : (second, third, first);
     }
 }

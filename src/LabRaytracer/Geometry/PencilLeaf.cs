@@ -36,8 +36,6 @@ internal unsafe struct PencilLeaf<R, F, I, P, TGoal>(
     private readonly TGoal _goal = goal;
     private int _left = pencil.Rays * LeavesOfTwoRays / 2;
 
-    public static bool IsOrdered => TGoal.IsOrdered;
-
     /// <summary>Tells whether the search ended early: for the size of the triangles, the rays are too far from each other, as those of a small picture, or those to a lamp from what mirrors show.</summary>
     public readonly bool IsTooWide => _left < 0;
 

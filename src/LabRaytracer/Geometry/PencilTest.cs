@@ -5,7 +5,7 @@ namespace LabRaytracer;
 /// <summary>The exact test of rays against a triangle each.</summary>
 internal static unsafe class PencilTest
 {
-    /// <summary>Tests each ray against its triangle, with the bits of <see cref="MeshSingleLeaf{Q, R1, P, TSink}"/>: four at a time, whose numbers stay in registers.</summary>
+    /// <summary>Tests each ray against its triangle, with the bits of <see cref="MeshSingleLeaf{P}"/>: four at a time, whose numbers stay in registers.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="triangles">Triangles in the order of the tree.</param>
     /// <param name="axis">Along which the rays that matter are largest.</param>

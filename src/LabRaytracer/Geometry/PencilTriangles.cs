@@ -106,11 +106,11 @@ internal static unsafe class PencilTriangles
         F unit = F.Of(PencilErrors.Unit), shear = F.Of(Math.Abs(pencil.Shear)), deep = most - near, far = F.Max(most, -near);
         F wide = F.Max(mostX, -leastX) + (far * F.Of(pencil.SpreadX)), high = F.Max(mostY, -leastY) + (far * F.Of(pencil.SpreadY));
         F across = (mostX - leastX) * (F.Of(1) + shear) + (mostY - leastY) + (deep * F.Of((pencil.SpreadX * (1 + Math.Abs(pencil.Shear))) + pencil.SpreadY));
-        F own = F.Fma(F.Fma(wide, shear, wide) + high, unit, F.Of(pencil.Size * PencilErrors.Floor)), common = F.Of(pencil.Beside), fromOrigin = F.Zero;
+        F own = F.Fma(F.Fma(wide, shear, wide) + high, unit, F.Of(pencil.Size * PencilErrors.Floor)), common = F.Of(pencil.Beside);
         if (isSingle)
         {
             F slope = F.Of(PencilErrors.Unit * (3 + Math.Abs(pencil.Shear)));
-            fromOrigin = F.Max(deep, pencil.Way > 0 ? F.Of(pencil.Way) - near : most);
+            F fromOrigin = F.Max(deep, pencil.Way > 0 ? F.Of(pencil.Way) - near : most);
             common = F.Fma(far, slope, common);
             own += F.Fma(deep, slope, F.Fma(fromOrigin, F.Of(3), across + across) * unit);
         }

@@ -73,7 +73,7 @@ public sealed class TriangleMesh : Shape
         RayLanes<Double1> lanes = Lanes(ray);
         if (tree.Prepare(lanes, t, out BvhRay<Double1, Float1, Int1> boxRay))
         {
-            MeshSingle.Run(Data, tree, lanes, boxRay, sink);
+            MeshSingle.Nearest(Data, tree, lanes, boxRay, sink);
         }
 
         GC.KeepAlive(this);

@@ -17,7 +17,7 @@ public class MeshCrowdTests
     public void Nearest_RaysFromSurfacePoints_SameBitsAsEveryTriangle(double scale, double offset)
     {
         TriangleMesh ball = Ball(scale, offset);
-        AssertNearest(ball, FromSurface(ball, Count, scale * 1e-6, 3));
+        MeshAssert.Nearest(ball, FromSurface(ball, Count, scale * 1e-6, 3));
     }
 
     [Theory]
@@ -28,7 +28,7 @@ public class MeshCrowdTests
     public void Nearest_SoupOfTriangles_SameBitsAsEveryTriangle(double size)
     {
         TriangleMesh soup = MeshSamples.Soup(300, size, new Vector3D(1, -2, 3), 5);
-        AssertNearest(soup, [.. MeshSamples.Rays(Count, new Vector3D(1, -2, 3), 3, 8), .. FromSurface(soup, Count, 0, 4)]);
+        MeshAssert.Nearest(soup, [.. MeshSamples.Rays(Count, new Vector3D(1, -2, 3), 3, 8), .. FromSurface(soup, Count, 0, 4)]);
     }
 
     [Fact]
@@ -47,7 +47,7 @@ public class MeshCrowdTests
         Ray[] rays = [.. Enumerable.Range(0, Count).Select(i => new Ray(
             points[random.Next(points.Count)] + (MeshSamples.Inside(random) * (i % 4 == 0 ? 0 : 1e-7)),
             i % 3 == 0 ? Vector3D.UnitX : i % 3 == 1 ? new Vector3D(1, 1e-9 * random.NextDouble(), 0) : MeshSamples.Inside(random)))];
-        AssertNearest(mesh, [.. rays, .. MeshSamples.Rays(Count, default, 3, 8)]);
+        MeshAssert.Nearest(mesh, [.. rays, .. MeshSamples.Rays(Count, default, 3, 8)]);
     }
 
     [Fact]
@@ -61,7 +61,7 @@ public class MeshCrowdTests
             Point3D origin = new(random.NextDouble() - 0.5, 0.3 * random.NextDouble(), 3 + random.NextDouble());
             return new Ray(origin, (new Point3D(-0.4 + (0.001 * i), -0.3, 0) - origin).Normalized());
         })];
-        AssertNearest(mesh, rays);
+        MeshAssert.Nearest(mesh, rays);
         Assert.All(MeshHits<Double16, Float16, Int16>.ByTree(mesh, rays), hit => Assert.Equal(0, hit.Part));
     }
 
@@ -76,16 +76,7 @@ public class MeshCrowdTests
 
         // Off alone, in whole groups of lanes, and in a whole crowd.
         double[] limits = [.. rays.Select((_, i) => i % 7 == 6 || i / 16 % 5 == 3 || i / BvhCrowd.Most == 2 ? -1 : scale * 2 * random.NextDouble())];
-        bool[] expected = Blocked<Double1, Float1, Int1>(ball, rays, limits, sources);
-        Assert.Contains(true, expected);
-        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.Blocked(ball, rays, limits, sources));
-        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.Blocked(ball, rays, limits, sources));
-        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.Blocked(ball, rays, limits, sources));
-
-        bool[] inFloats = Blocked<Float1, Float1, Int1>(ball, rays, [.. limits.Select(limit => (double)(float)limit)], sources);
-        Assert.Equal(inFloats, MeshHits<Float16, Float16, Int16>.Blocked(ball, rays, limits, sources));
-        Assert.Equal(inFloats, MeshHits<Float8, Float8, Int8>.Blocked(ball, rays, limits, sources));
-        Assert.Equal(inFloats, MeshHits<Float4, Float4, Int4>.Blocked(ball, rays, limits, sources));
+        Assert.Contains(true, MeshAssert.Blocked(ball, rays, limits, sources));
     }
 
     private static TriangleMesh Ball(double scale, double offset)
@@ -111,24 +102,4 @@ public class MeshCrowdTests
 
         return rays;
     }
-
-    private static void AssertNearest(TriangleMesh mesh, Ray[] rays)
-    {
-        MeshHit[] expected = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays);
-        Assert.Contains(expected, hit => hit.T > 0);
-        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.ByTree(mesh, rays));
-        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.ByTree(mesh, rays));
-        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.ByTree(mesh, rays));
-
-        MeshHit[] inFloats = MeshHits<Float1, Float1, Int1>.ByLoop(mesh, rays);
-        Assert.Equal(inFloats, MeshHits<Float16, Float16, Int16>.ByTree(mesh, rays));
-        Assert.Equal(inFloats, MeshHits<Float8, Float8, Int8>.ByTree(mesh, rays));
-        Assert.Equal(inFloats, MeshHits<Float4, Float4, Int4>.ByTree(mesh, rays));
-    }
-
-    private static bool[] Blocked<R, F, I>(TriangleMesh mesh, Ray[] rays, double[] limits, int[] sources)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> =>
-        [.. MeshHits<R, F, I>.ByLoop(mesh, rays, sources: sources).Select((hit, i) => hit.T > 0 && hit.T < limits[i])];
 }

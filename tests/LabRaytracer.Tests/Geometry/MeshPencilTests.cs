@@ -105,8 +105,7 @@ public class MeshPencilTests
             + ((ball.Data.Position(triangle, 1) - ball.Data.Position(triangle, 0)) * 0.4) + ((ball.Data.Position(triangle, 2) - ball.Data.Position(triangle, 0)) * 0.3))];
         Ray[] rays = [.. origins.Select(origin => new Ray(origin, (lamp - origin).Normalized()))];
         double[] limits = [.. origins.Select(origin => (lamp - origin).Length)];
-        Assert.NotEqual(Blocked<Double1, Float1, Int1>(ball, rays, limits, null), Blocked<Double1, Float1, Int1>(ball, rays, limits, sources));
-        AssertBlocked(ball, rays, limits, sources);
+        Assert.NotEqual(MeshAssert.BlockedByLoop<Double1, Float1, Int1>(ball, rays, limits, null), MeshAssert.Blocked(ball, rays, limits, sources));
     }
 
     [Theory]
@@ -175,53 +174,18 @@ public class MeshPencilTests
 
     private static void AssertNearest(TriangleMesh mesh, Ray[] rays)
     {
-        MeshHit[] expected = MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays);
-        Assert.Contains(expected, hit => hit.T > 0);
-        AssertNearest<Double16, Float16, Int16>(expected, mesh, rays);
-        AssertNearest<Double8, Float8, Int8>(expected, mesh, rays);
-        AssertNearest<Double4, Float4, Int4>(expected, mesh, rays);
-
-        MeshHit[] inFloats = MeshHits<Float1, Float1, Int1>.ByLoop(mesh, rays);
-        AssertNearest<Float16, Float16, Int16>(inFloats, mesh, rays);
-        AssertNearest<Float8, Float8, Int8>(inFloats, mesh, rays);
-        AssertNearest<Float4, Float4, Int4>(inFloats, mesh, rays);
+        MeshHit[] expected = MeshAssert.Nearest(mesh, rays);
 
         // A limit among the hits.
         double limit = expected.Where(hit => hit.T > 0).Select(hit => hit.T).Order().ElementAt(expected.Count(hit => hit.T > 0) / 2);
-        AssertNearest<Double8, Float8, Int8>(MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays, limit), mesh, rays, limit);
-        AssertNearest<Float8, Float8, Int8>(MeshHits<Float1, Float1, Int1>.ByLoop(mesh, rays, limit), mesh, rays, limit);
+        Assert.Equal(MeshHits<Double1, Float1, Int1>.ByLoop(mesh, rays, limit), MeshHits<Double8, Float8, Int8>.ByTree(mesh, rays, limit));
+        Assert.Equal(MeshHits<Float1, Float1, Int1>.ByLoop(mesh, rays, limit), MeshHits<Float8, Float8, Int8>.ByTree(mesh, rays, limit));
     }
-
-    private static void AssertNearest<R, F, I>(MeshHit[] expected, TriangleMesh mesh, Ray[] rays, double limit = double.PositiveInfinity)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> => Assert.Equal(expected, MeshHits<R, F, I>.ByTree(mesh, rays, limit));
 
     private static void AssertBlocked(TriangleMesh mesh, Point3D[] origins, Point3D lamp)
     {
         Ray[] rays = [.. origins.Select(origin => new Ray(origin, (lamp - origin).Normalized()))];
         double[] limits = [.. origins.Select((origin, i) => i % 5 == 4 ? -1 : (lamp - origin).Length)];
-        Assert.Contains(true, Blocked<Double1, Float1, Int1>(mesh, rays, limits, null));
-        AssertBlocked(mesh, rays, limits, null);
+        Assert.Contains(true, MeshAssert.Blocked(mesh, rays, limits, null));
     }
-
-    private static void AssertBlocked(TriangleMesh mesh, Ray[] rays, double[] limits, int[]? sources)
-    {
-        bool[] expected = Blocked<Double1, Float1, Int1>(mesh, rays, limits, sources);
-        Assert.Equal(expected, MeshHits<Double16, Float16, Int16>.Blocked(mesh, rays, limits, sources));
-        Assert.Equal(expected, MeshHits<Double8, Float8, Int8>.Blocked(mesh, rays, limits, sources));
-        Assert.Equal(expected, MeshHits<Double4, Float4, Int4>.Blocked(mesh, rays, limits, sources));
-
-        bool[] inFloats = Blocked<Float1, Float1, Int1>(mesh, rays, [.. limits.Select(limit => (double)(float)limit)], sources);
-        Assert.Equal(inFloats, MeshHits<Float16, Float16, Int16>.Blocked(mesh, rays, limits, sources));
-        Assert.Equal(inFloats, MeshHits<Float8, Float8, Int8>.Blocked(mesh, rays, limits, sources));
-        Assert.Equal(inFloats, MeshHits<Float4, Float4, Int4>.Blocked(mesh, rays, limits, sources));
-    }
-
-    /// <summary>Which rays any triangle blocks but the one that they leave.</summary>
-    private static bool[] Blocked<R, F, I>(TriangleMesh mesh, Ray[] rays, double[] limits, int[]? sources)
-        where R : unmanaged, ILane<R, F, I>
-        where F : unmanaged, ILane<F, F, I>
-        where I : unmanaged, IIndexLane<I> =>
-        [.. MeshHits<R, F, I>.ByLoop(mesh, rays, sources: sources).Select((hit, i) => hit.T > 0 && hit.T < limits[i])];
 }
